@@ -1,0 +1,276 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "shared/game/game_state.hpp"
+#include "shared/physics/scene.hpp"
+#include "shared/physics/trace.hpp"
+
+// The messages of PROTOCOL.md, one struct each; kType is their "type". The two variants at the end are the
+// list of messages that encoding, dispatch and the documents follow.
+namespace poolhall::protocol {
+
+/// How a client hears of shots.
+enum class Stream : std::uint8_t {
+    kStates,  ///< a frame at each 30 Hz tick
+    kShots,   ///< the shot and its final hash; the client simulates it itself
+};
+
+// ---- client to server -------------------------------------------------------------------------------------
+
+struct CreateMatch {
+    static constexpr std::string_view kType = "create_match";
+    std::string name;
+    std::string game = "end_game";
+    Stream stream = Stream::kStates;
+};
+
+struct JoinMatch {
+    static constexpr std::string_view kType = "join_match";
+    std::string code;
+    std::string name;
+    Stream stream = Stream::kStates;
+};
+
+struct WatchMatch {
+    static constexpr std::string_view kType = "watch_match";
+    std::string code;
+    std::string name;
+    Stream stream = Stream::kStates;
+};
+
+/// Comes back to the seats that the token holds.
+struct Resume {
+    static constexpr std::string_view kType = "resume";
+    std::string code;
+    std::string token;
+    Stream stream = Stream::kStates;
+};
+
+/// A seated player also takes the open seat: one person plays both ("hot seat").
+struct TakeSeat {
+    static constexpr std::string_view kType = "take_seat";
+    Seat seat;
+};
+
+/// Gives a seat back, so that somebody else can join. Not while a shot runs.
+struct LeaveSeat {
+    static constexpr std::string_view kType = "leave_seat";
+    Seat seat;
+};
+
+struct Aim {
+    static constexpr std::string_view kType = "aim";
+    Seat seat;
+    Vec2 direction;
+};
+
+struct PlaceCueBall {
+    static constexpr std::string_view kType = "place_cue_ball";
+    Seat seat;
+    Vec2 position;  ///< m
+};
+
+struct Shoot {
+    static constexpr std::string_view kType = "shoot";
+    Seat seat;
+    Vec2 direction;
+};
+
+/// A vote for another game with the sides changed; it starts when both seats have voted.
+struct Rematch {
+    static constexpr std::string_view kType = "rematch";
+    Seat seat;
+};
+
+/// Leaves the match: seats become open, the session can create or join another.
+struct Leave {
+    static constexpr std::string_view kType = "leave";
+};
+
+struct Ping {
+    static constexpr std::string_view kType = "ping";
+};
+
+using ClientBody = std::variant<CreateMatch, JoinMatch, WatchMatch, Resume, TakeSeat, LeaveSeat, Aim, PlaceCueBall, Shoot,
+                                Rematch, Leave, Ping>;
+
+struct ClientMessage {
+    std::uint32_t seq = 0;  ///< 1 or more, rising within a connection
+    ClientBody body;
+};
+
+// ---- server to client -------------------------------------------------------------------------------------
+
+enum class RejectCode : std::uint8_t {
+    kMalformed,         ///< not the encoding, or not an object
+    kUnknownType,
+    kMissingField,
+    kUnknownField,
+    kBadField,          ///< wrong type, not finite, out of range
+    kStaleSeq,          ///< seq not above the last one
+    kNotInMatch,
+    kAlreadyInMatch,
+    kUnknownMatch,      ///< no match has this code
+    kUnknownGame,
+    kBadToken,
+    kMatchFull,         ///< both seats taken
+    kSpectatorsFull,
+    kNotYourSeat,       ///< the session does not hold the seat
+    kSeatTaken,
+    kNotYourTurn,
+    kWrongPhase,        ///< the match is waiting, playing out a shot, or over
+    kIllegal,           ///< the rules refuse it (cue ball not placeable there, zero direction)
+    kServerFull,        ///< no more matches
+    kShuttingDown,
+    kStorage,           ///< the shot could not be made durable; nothing happened
+};
+
+enum class Phase : std::uint8_t {
+    kWaiting,  ///< a seat is open
+    kAiming,
+    kPlaying,  ///< a shot runs
+    kOver,     ///< the game is; rematch or leave
+};
+
+struct SeatInfo {
+    bool taken = false;
+    bool connected = false;
+    std::string name;
+    bool wants_rematch = false;
+    std::uint32_t wins = 0;
+};
+
+/// Where a shot in progress stands, for those who come late.
+struct LiveShot {
+    std::uint32_t shot = 0;
+    std::uint32_t tick = 0;
+    std::vector<Vec2> balls;  ///< at that tick, in the scene's order, m
+};
+
+/// All that is public of a match between two messages.
+struct TableState {
+    std::string match;  ///< id, also of its replay
+    std::string code;
+    std::string game;   ///< ruleset
+    Phase phase = Phase::kWaiting;
+    std::uint32_t game_number = 1;
+    std::uint32_t shot = 0;  ///< shots taken in the match
+    Seat turn;
+    bool may_place = false;  ///< the cue ball may be moved now
+    std::array<SeatInfo, kSeatCount> seats;
+    std::uint32_t spectators = 0;
+    Vec2 aim;     ///< the direction shown now
+    Scene scene;  ///< balls at rest: before the running shot, if one runs
+    BallIndex cue_ball;
+    std::optional<Ruling> ruling;  ///< of the last shot of this game
+    std::optional<LiveShot> live;  ///< while phase is kPlaying
+};
+
+/// The first message of every session.
+struct Welcome {
+    static constexpr std::string_view kType = "welcome";
+    std::string server;  ///< "poolhall 0.1.0"
+    int protocol = 1;
+};
+
+struct Accepted {
+    static constexpr std::string_view kType = "accepted";
+    std::uint32_t seq = 0;
+};
+
+struct Reject {
+    static constexpr std::string_view kType = "reject";
+    std::uint32_t seq = 0;  ///< 0: it could not be read
+    RejectCode code = RejectCode::kMalformed;
+    std::string reason;  ///< a sentence
+};
+
+/// Answers create_match, join_match, watch_match and resume.
+struct Joined {
+    static constexpr std::string_view kType = "joined";
+    std::uint32_t seq = 0;
+    std::string token;        ///< brings a player back to the seats; empty for a spectator
+    std::vector<Seat> seats;  ///< held by this session
+    TableState table;
+};
+
+/// Whenever seats, phase, turn, placement or the number of spectators change.
+struct TableChanged {
+    static constexpr std::string_view kType = "table";
+    TableState table;
+};
+
+struct AimChanged {
+    static constexpr std::string_view kType = "aim";
+    Seat seat;
+    Vec2 direction;
+    Vec2 cue;  ///< where the cue ball is, m
+};
+
+struct ShotStarted {
+    static constexpr std::string_view kType = "shot_started";
+    std::uint32_t shot = 0;  ///< from 1, within the match
+    Seat seat;
+    Scene scene;  ///< complete, with its strike
+    std::uint64_t scene_hash = 0;
+    std::optional<std::uint64_t> final_hash;  ///< for Stream::kShots
+};
+
+/// The shot at tick / 30 s. Positions are for display, rounded to 10 um or to single precision.
+struct Frame {
+    static constexpr std::string_view kType = "frame";
+
+    struct Ball {
+        BallIndex ball;
+        Vec2 r;  ///< m
+    };
+
+    std::uint32_t shot = 0;
+    std::uint32_t tick = 0;
+    std::vector<Ball> balls;        ///< those that moved since the last tick
+    std::vector<ShotEvent> events;  ///< since the last tick, with exact times and positions
+};
+
+struct ShotEnded {
+    static constexpr std::string_view kType = "shot_ended";
+    std::uint32_t shot = 0;
+    std::uint32_t ticks = 0;  ///< of the playout
+    double duration = 0;      ///< s
+    Outcome outcome = Outcome::kRest;
+    std::string kernel;
+    SolverKind solver = SolverKind::kEuler;
+    std::vector<FinalBall> balls;  ///< exact, in the order of the shot's scene
+    std::uint64_t hash = 0;
+    Ruling ruling;
+    TableState table;  ///< what comes next
+};
+
+struct Pong {
+    static constexpr std::string_view kType = "pong";
+    std::uint32_t seq = 0;
+};
+
+/// The last message before the server closes the session.
+struct Closing {
+    static constexpr std::string_view kType = "closing";
+    std::string reason;
+};
+
+using ServerMessage = std::variant<Welcome, Accepted, Reject, Joined, TableChanged, AimChanged, ShotStarted, Frame, ShotEnded,
+                                   Pong, Closing>;
+
+/// "waiting", "aiming", "playing", "over".
+[[nodiscard]] std::string_view name(Phase phase);
+/// "malformed", "unknown_type", ...: the enumerator in snake_case.
+[[nodiscard]] std::string_view name(RejectCode code);
+/// "states", "shots".
+[[nodiscard]] std::string_view name(Stream stream);
+
+}  // namespace poolhall::protocol

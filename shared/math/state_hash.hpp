@@ -1,0 +1,34 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "shared/math/vec3.hpp"
+
+namespace poolhall {
+
+/// The 64-bit fingerprint of a shot: equal on every compiler, optimisation level and processor.
+///
+/// A word w enters as h = (h xor w) * 0x9E3779B97F4A7C15, then h = h xor (h >> 32); h starts as
+/// 0xCBF29CE484222325. It detects divergence; it is no defence against forgery.
+class StateHash {
+  public:
+    constexpr void add(std::uint64_t word) {
+        value_ = (value_ ^ word) * 0x9E3779B97F4A7C15ULL;
+        value_ ^= value_ >> 32U;
+    }
+    /// The bits of the double, with -0 taken as 0: the two compare equal, so they must hash equal.
+    constexpr void add(double number) { add(std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number)); }
+    constexpr void add(const Vec3& vector) {
+        add(vector.x);
+        add(vector.y);
+        add(vector.z);
+    }
+
+    [[nodiscard]] constexpr std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 0xCBF29CE484222325ULL;
+};
+
+}  // namespace poolhall

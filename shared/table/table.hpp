@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "shared/math/vec2.hpp"
+
+namespace poolhall {
+
+/// North is +y, east (the foot rail) +x.
+enum class Rail : std::uint8_t { kNorth, kEast, kSouth, kWest };
+
+enum class Pocket : std::uint8_t { kNorthWest, kNorth, kNorthEast, kSouthEast, kSouth, kSouthWest };
+
+inline constexpr int kPocketCount = 6;
+
+/// How balls leave the table.
+enum class PocketModel : std::uint8_t {
+    kNone,     ///< they do not
+    kEndGame,  ///< the original game's: near two rails, or near a long rail's middle (pockets.hpp)
+};
+
+struct Table {
+    double length = 2.54;  ///< nose to nose along x, m
+    double width = 1.27;   ///< nose to nose along y, m
+    bool rails = true;     ///< false: an endless cloth
+    PocketModel pockets = PocketModel::kNone;
+
+    friend constexpr bool operator==(const Table&, const Table&) = default;
+};
+
+/// "N", "E", "S", "W".
+[[nodiscard]] std::string_view name(Rail rail);
+/// "NW", "N", "NE", "SE", "S", "SW".
+[[nodiscard]] std::string_view name(Pocket pocket);
+
+/// Where the centre of a ball of the given radius (m) is when it touches the rails: |x| and |y|, m.
+[[nodiscard]] Vec2 inset(const Table& table, double radius);
+
+}  // namespace poolhall
