@@ -1,23 +1,14 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-
+#include "protocol/encoding.hpp"
 #include "protocol/messages.hpp"
 #include "shared/result.hpp"
 
+#include <cstdint>
+#include <string>
+#include <string_view>
+
 namespace poolhall::protocol {
-
-enum class Encoding : std::uint8_t {
-    kJson,  ///< WebSocket text frames
-    kCbor,  ///< WebSocket binary frames
-};
-
-/// The encoding of a WebSocket subprotocol's name, if it is one of ours.
-[[nodiscard]] std::optional<Encoding> encoding_of(std::string_view subprotocol);
 
 /// Why bytes are no message. `seq` is the message's where it could be read, else 0.
 struct DecodeError {
@@ -26,13 +17,15 @@ struct DecodeError {
     std::string reason;  ///< one sentence that names the field
 };
 
-/// Reads what a client sent: strict. Every field is checked for type, finiteness, range and length; a missing or an
-/// unknown field is an error. Never throws, whatever the bytes are.
-[[nodiscard]] Result<ClientMessage, DecodeError> decode_client(std::string_view bytes, Encoding encoding);
+/// Reads what a client sent: strict. Every field is checked for type, finiteness, range and length;
+/// a missing or an unknown field is an error. Never throws, whatever the bytes are.
+[[nodiscard]] Result<ClientMessage, DecodeError> decode_client(std::string_view bytes,
+                                                               Encoding encoding);
 [[nodiscard]] std::string encode(const ClientMessage& message, Encoding encoding);
 
 /// Reads what a server sent: unknown fields are skipped. Never throws.
-[[nodiscard]] Result<ServerMessage, DecodeError> decode_server(std::string_view bytes, Encoding encoding);
+[[nodiscard]] Result<ServerMessage, DecodeError> decode_server(std::string_view bytes,
+                                                               Encoding encoding);
 [[nodiscard]] std::string encode(const ServerMessage& message, Encoding encoding);
 
 }  // namespace poolhall::protocol

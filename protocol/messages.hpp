@@ -1,5 +1,9 @@
 #pragma once
 
+#include "shared/game/game_state.hpp"
+#include "shared/physics/scene.hpp"
+#include "shared/physics/trace.hpp"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -8,12 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "shared/game/game_state.hpp"
-#include "shared/physics/scene.hpp"
-#include "shared/physics/trace.hpp"
-
-// The messages of PROTOCOL.md, one struct each; kType is their "type". The two variants at the end are the
-// list of messages that encoding, dispatch and the documents follow.
+// The messages of PROTOCOL.md, one struct each; kType is their "type". The two variants at the end
+// are the list of messages that encoding, dispatch and the documents follow.
 namespace poolhall::protocol {
 
 /// How a client hears of shots.
@@ -22,7 +22,7 @@ enum class Stream : std::uint8_t {
     kShots,   ///< the shot and its final hash; the client simulates it itself
 };
 
-// ---- client to server -------------------------------------------------------------------------------------
+// ---- client to server ------------------------------------------------------------
 
 struct CreateMatch {
     static constexpr std::string_view kType = "create_match";
@@ -98,38 +98,38 @@ struct Ping {
     static constexpr std::string_view kType = "ping";
 };
 
-using ClientBody = std::variant<CreateMatch, JoinMatch, WatchMatch, Resume, TakeSeat, LeaveSeat, Aim, PlaceCueBall, Shoot,
-                                Rematch, Leave, Ping>;
+using ClientBody = std::variant<CreateMatch, JoinMatch, WatchMatch, Resume, TakeSeat, LeaveSeat,
+                                Aim, PlaceCueBall, Shoot, Rematch, Leave, Ping>;
 
 struct ClientMessage {
     std::uint32_t seq = 0;  ///< 1 or more, rising within a connection
     ClientBody body;
 };
 
-// ---- server to client -------------------------------------------------------------------------------------
+// ---- server to client ------------------------------------------------------------
 
 enum class RejectCode : std::uint8_t {
-    kMalformed,         ///< not the encoding, or not an object
+    kMalformed,  ///< not the encoding, or not an object
     kUnknownType,
     kMissingField,
     kUnknownField,
-    kBadField,          ///< wrong type, not finite, out of range
-    kStaleSeq,          ///< seq not above the last one
+    kBadField,  ///< wrong type, not finite, out of range
+    kStaleSeq,  ///< seq not above the last one
     kNotInMatch,
     kAlreadyInMatch,
-    kUnknownMatch,      ///< no match has this code
+    kUnknownMatch,  ///< no match has this code
     kUnknownGame,
     kBadToken,
-    kMatchFull,         ///< both seats taken
+    kMatchFull,  ///< both seats taken
     kSpectatorsFull,
-    kNotYourSeat,       ///< the session does not hold the seat
+    kNotYourSeat,  ///< the session does not hold the seat
     kSeatTaken,
     kNotYourTurn,
-    kWrongPhase,        ///< the match is waiting, playing out a shot, or over
-    kIllegal,           ///< the rules refuse it (cue ball not placeable there, zero direction)
-    kServerFull,        ///< no more matches
+    kWrongPhase,  ///< the match is waiting, playing out a shot, or over
+    kIllegal,     ///< the rules refuse it (cue ball not placeable there, zero direction)
+    kServerFull,  ///< no more matches
     kShuttingDown,
-    kStorage,           ///< the shot could not be made durable; nothing happened
+    kStorage,  ///< the shot could not be made durable; nothing happened
 };
 
 enum class Phase : std::uint8_t {
@@ -158,7 +158,7 @@ struct LiveShot {
 struct TableState {
     std::string match;  ///< id, also of its replay
     std::string code;
-    std::string game;   ///< ruleset
+    std::string game;  ///< ruleset
     Phase phase = Phase::kWaiting;
     std::uint32_t game_number = 1;
     std::uint32_t shot = 0;  ///< shots taken in the match
@@ -263,8 +263,8 @@ struct Closing {
     std::string reason;
 };
 
-using ServerMessage = std::variant<Welcome, Accepted, Reject, Joined, TableChanged, AimChanged, ShotStarted, Frame, ShotEnded,
-                                   Pong, Closing>;
+using ServerMessage = std::variant<Welcome, Accepted, Reject, Joined, TableChanged, AimChanged,
+                                   ShotStarted, Frame, ShotEnded, Pong, Closing>;
 
 /// "waiting", "aiming", "playing", "over".
 [[nodiscard]] std::string_view name(Phase phase);

@@ -1,0 +1,139 @@
+#include "protocol/text.hpp"
+
+#include "protocol/limits.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <system_error>
+
+namespace poolhall::protocol {
+namespace {
+
+constexpr std::size_t kMaxShownBytes = 48;
+constexpr std::size_t kMaxTypedCodeBytes = 16;
+
+struct Decoded {
+    char32_t code_point = 0;
+    std::size_t bytes = 0;  ///< 0: not UTF-8
+};
+
+std::size_t sequence_length(std::uint8_t lead) {
+    if (lead < 0x80) return 1;
+    if (lead >= 0xC2 && lead < 0xE0) return 2;
+    if (lead >= 0xE0 && lead < 0xF0) return 3;
+    if (lead >= 0xF0 && lead < 0xF5) return 4;
+    return 0;
+}
+
+/// The first code point of a text that is not empty.
+Decoded first_code_point(std::string_view text) {
+    const auto lead = static_cast<std::uint8_t>(text[0]);
+    const std::size_t length = sequence_length(lead);
+    if (length == 0 || length > text.size()) return {};
+    if (length == 1) return {lead, 1};
+    char32_t code_point = lead & (0xFFU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        const auto byte = static_cast<std::uint8_t>(text[i]);
+        if ((byte & 0xC0U) != 0x80) return {};
+        code_point = code_point << 6U | (byte & 0x3FU);
+    }
+    const bool overlong =
+        (length == 3 && code_point < 0x800) || (length == 4 && code_point < 0x10000);
+    const bool surrogate = code_point >= 0xD800 && code_point < 0xE000;
+    if (overlong || surrogate || code_point > 0x10FFFF) return {};
+    return {code_point, length};
+}
+
+bool is_control(char32_t c) {
+    return c < 0x20 || (c >= 0x7F && c < 0xA0)  // C0, DEL, C1
+           || c == 0x2028 || c == 0x2029        // line and paragraph separators
+           || (c >= 0x202A && c <= 0x202E)      // embeddings and overrides of direction
+           || (c >= 0x2066 && c <= 0x2069)      // isolates
+           || c == 0xFEFF;                      // byte order mark
+}
+
+bool is_blank(char32_t c) {
+    return c == 0x20 || c == 0xA0 || c == 0x3000 || (c >= 0x2000 && c <= 0x200F);
+}
+
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+}  // namespace
+
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const Decoded next = first_code_point(text);
+        if (next.bytes == 0) return false;
+        text.remove_prefix(next.bytes);
+    }
+    return true;
+}
+
+std::optional<std::string_view> find_name_fault(std::string_view name) {
+    if (name.size() > kMaxNameBytes) return "must be at most 32 bytes of UTF-8";
+    bool visible = false;
+    while (!name.empty()) {
+        const Decoded next = first_code_point(name);
+        if (next.bytes == 0) return "must be UTF-8";
+        if (is_control(next.code_point)) return "must not have control characters";
+        visible = visible || !is_blank(next.code_point);
+        name.remove_prefix(next.bytes);
+    }
+    if (!visible) return "must not be empty";
+    return std::nullopt;
+}
+
+std::optional<std::string> normalize_code(std::string_view typed) {
+    if (typed.size() > kMaxTypedCodeBytes) return std::nullopt;
+    std::string code;
+    for (const char c : typed) {
+        if (c == '-' || c == ' ') continue;
+        code += upper(c);
+    }
+    const bool letters = code.find_first_not_of(kCodeAlphabet) == std::string::npos;
+    if (code.size() != kCodeLetters || !letters) return std::nullopt;
+    return code;
+}
+
+bool is_token(std::string_view text) {
+    return text.size() == kTokenHexDigits &&
+           text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+std::optional<double> parse_hex_float(std::string_view text) {
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+')) text.remove_prefix(1);
+    if (!text.starts_with("0x") && !text.starts_with("0X")) return std::nullopt;
+    text.remove_prefix(2);
+    // from_chars also knows "inf", "nan" and a sign; a C hex-float has none of them after its 0x.
+    if (text.find_first_not_of("0123456789abcdefABCDEF.pP+-") != std::string_view::npos)
+        return std::nullopt;
+    if (text.starts_with('-')) return std::nullopt;
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value, std::chars_format::hex);
+    if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+    return negative ? -value : value;
+}
+
+std::string shown(std::string_view key) {
+    std::string result;
+    while (!key.empty()) {
+        const Decoded next = first_code_point(key);
+        const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
+        if (result.size() + bytes > kMaxShownBytes) return result + "...";
+        if (next.bytes == 0 || is_control(next.code_point)) {
+            result += '?';
+        } else {
+            result += key.substr(0, bytes);
+        }
+        key.remove_prefix(bytes);
+    }
+    return result;
+}
+
+}  // namespace poolhall::protocol

@@ -1,0 +1,265 @@
+#pragma once
+
+#include "protocol/limits.hpp"
+#include "protocol/wire/enums.hpp"
+#include "protocol/wire/fields.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+// The codecs that messages and scenes are put together from.
+namespace poolhall::protocol::wire {
+
+inline constexpr double kAnyMagnitude = std::numeric_limits<double>::max();
+
+/// A finite number.
+struct Real {
+    double min = -kAnyMagnitude;
+    double max = kAnyMagnitude;
+
+    bool read(const Cursor& cursor, double& value) const;
+
+    Json write(double value, Encoding /*encoding*/) const { return value; }
+};
+
+/// A number of a scene file: a JSON number or a string with a C hex-float.
+struct SceneReal {
+    bool read(const Cursor& cursor, double& value) const;
+
+    Json write(double value, Encoding /*encoding*/) const { return value; }
+};
+
+struct Integer {
+    std::uint32_t min = 0;
+    std::uint32_t max = std::numeric_limits<std::uint32_t>::max();
+
+    template <std::integral T>
+    bool read(const Cursor& cursor, T& value) const {
+        std::uint32_t number = 0;
+        if (!read_number(cursor, number)) return false;
+        value = static_cast<T>(number);
+        return true;
+    }
+
+    template <std::integral T>
+    Json write(T value, Encoding /*encoding*/) const {
+        return value;
+    }
+
+  private:
+    bool read_number(const Cursor& cursor, std::uint32_t& value) const;
+};
+
+struct Boolean {
+    bool read(const Cursor& cursor, bool& value) const;
+
+    Json write(bool value, Encoding /*encoding*/) const { return value; }
+};
+
+/// 0 or 1.
+struct SeatNumber {
+    bool read(const Cursor& cursor, Seat& value) const {
+        return Integer{0, kSeatCount - 1}.read(cursor, value.value);
+    }
+
+    Json write(Seat value, Encoding /*encoding*/) const { return value.value; }
+};
+
+struct BallNumber {
+    bool read(const Cursor& cursor, BallIndex& value) const {
+        return Integer{0, kMaxBalls - 1}.read(cursor, value.value);
+    }
+
+    Json write(BallIndex value, Encoding /*encoding*/) const { return value.value; }
+};
+
+/// A hash as 16 lower-case hex digits: a double cannot hold it.
+struct Hash {
+    bool read(const Cursor& cursor, std::uint64_t& value) const;
+    Json write(std::uint64_t value, Encoding encoding) const;
+};
+
+struct Text {
+    std::size_t min_bytes = 0;
+    std::size_t max_bytes = 0;
+
+    bool read(const Cursor& cursor, std::string& value) const;
+
+    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+};
+
+/// What a player or spectator is called.
+struct PersonName {
+    bool may_be_empty = false;
+
+    bool read(const Cursor& cursor, std::string& value) const;
+
+    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+};
+
+/// A join code; read as people type it, kept in one form.
+struct JoinCode {
+    bool read(const Cursor& cursor, std::string& value) const;
+
+    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+};
+
+struct Token {
+    bool may_be_empty = false;
+
+    bool read(const Cursor& cursor, std::string& value) const;
+
+    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+};
+
+/// [x, y], each at most `limit` in magnitude.
+struct Vector2 {
+    double limit = kMaxPositionComponent;
+
+    bool read(const Cursor& cursor, Vec2& value) const;
+
+    Json write(Vec2 value, Encoding /*encoding*/) const { return Json::array({value.x, value.y}); }
+};
+
+/// A direction of aim: any length but zero.
+struct Direction {
+    bool read(const Cursor& cursor, Vec2& value) const;
+
+    Json write(Vec2 value, Encoding encoding) const { return Vector2{}.write(value, encoding); }
+};
+
+/// [x, y, z] of a state, of which the first `min_count` must be there.
+struct Vector3 {
+    std::size_t min_count = 3;
+
+    bool read(const Cursor& cursor, Vec3& value) const;
+
+    Json write(const Vec3& value, Encoding /*encoding*/) const {
+        return Json::array({value.x, value.y, value.z});
+    }
+};
+
+/// Two numbers of a scene file.
+struct SceneVector2 {
+    bool read(const Cursor& cursor, Vec2& value) const;
+
+    Json write(Vec2 value, Encoding encoding) const { return Vector2{}.write(value, encoding); }
+};
+
+/// Checks for an array of min to max elements.
+bool expect_array(const Cursor& cursor, std::size_t min, std::size_t max);
+/// Checks for a string.
+bool expect_text(const Cursor& cursor);
+
+/// The name of an enumerator.
+template <class E>
+struct Named {
+    bool read(const Cursor& cursor, E& value) const {
+        if (!expect_text(cursor)) return false;
+        const auto& text = cursor.json().template get_ref<const std::string&>();
+        std::string choices;
+        for (unsigned i = 0; i <= static_cast<unsigned>(kLast<E>); ++i) {
+            const auto candidate = static_cast<E>(i);
+            if (name(candidate) == text) {
+                value = candidate;
+                return true;
+            }
+            choices.append(i == 0 ? "" : ", ").append(name(candidate));
+        }
+        return cursor.refuse("must be one of " + choices);
+    }
+
+    Json write(E value, Encoding /*encoding*/) const { return name(value); }
+};
+
+/// An object with kFields.
+template <HasFields T>
+struct Object {
+    bool read(const Cursor& cursor, T& value) const { return read_fields(cursor, value); }
+
+    Json write(const T& value, Encoding encoding) const {
+        Json object = Json::object();
+        write_fields(object, value, encoding);
+        return object;
+    }
+};
+
+/// An array of any length up to a limit.
+template <class ElementCodec>
+struct List {
+    ElementCodec codec;
+    std::size_t max_count = 0;
+
+    template <class T>
+    bool read(const Cursor& cursor, std::vector<T>& values) const {
+        if (!expect_array(cursor, 0, max_count)) return false;
+        values.resize(cursor.json().size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!codec.read(cursor.element(i), values[i])) return false;
+        }
+        return true;
+    }
+
+    template <class T>
+    Json write(const std::vector<T>& values, Encoding encoding) const {
+        Json array = Json::array();
+        for (const T& value : values)
+            array.push_back(codec.write(value, encoding));
+        return array;
+    }
+};
+
+/// An array of a fixed number of elements.
+template <class ElementCodec>
+struct Array {
+    ElementCodec codec;
+
+    template <class T, std::size_t N>
+    bool read(const Cursor& cursor, std::array<T, N>& values) const {
+        if (!expect_array(cursor, N, N)) return false;
+        for (std::size_t i = 0; i < N; ++i) {
+            if (!codec.read(cursor.element(i), values[i])) return false;
+        }
+        return true;
+    }
+
+    template <class T, std::size_t N>
+    Json write(const std::array<T, N>& values, Encoding encoding) const {
+        Json array = Json::array();
+        for (const T& value : values)
+            array.push_back(codec.write(value, encoding));
+        return array;
+    }
+};
+
+template <>
+struct DefaultCodec<bool> : Boolean {};
+
+template <>
+struct DefaultCodec<double> : Real {};
+
+template <>
+struct DefaultCodec<std::uint32_t> : Integer {};
+
+template <>
+struct DefaultCodec<Seat> : SeatNumber {};
+
+template <>
+struct DefaultCodec<BallIndex> : BallNumber {};
+template <class E>
+requires std::is_enum_v<E>
+
+struct DefaultCodec<E> : Named<E> {
+};
+
+template <HasFields T>
+struct DefaultCodec<T> : Object<T> {};
+
+template <class T>
+struct DefaultCodec<std::optional<T>> : DefaultCodec<T> {};
+
+}  // namespace poolhall::protocol::wire

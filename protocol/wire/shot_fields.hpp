@@ -1,0 +1,85 @@
+#pragma once
+
+#include "protocol/wire/codecs.hpp"
+
+#include <optional>
+#include <tuple>
+#include <vector>
+
+// Events, states and rulings as they stand in messages: compact, balls by index.
+namespace poolhall::protocol::wire {
+
+template <>
+inline constexpr auto kFields<BallState> = std::tuple{
+    field("r", &BallState::r, Vector3{}),
+    field("v", &BallState::v, Vector3{}),
+    field("w", &BallState::w, Vector3{}),
+};
+
+/// A ShotEvent without its meaningless members.
+struct EventForm {
+    double t = 0;
+    EventKind kind = EventKind::kStrike;
+    std::vector<BallIndex> balls;
+    std::optional<Rail> rail;
+    std::optional<Pocket> pocket;
+    std::vector<BallState> before;
+    std::vector<BallState> after;
+};
+
+template <>
+inline constexpr auto kFields<EventForm> = std::tuple{
+    field("t", &EventForm::t, Real{0, kAnyMagnitude}),
+    field("kind", &EventForm::kind),
+    field("balls", &EventForm::balls, List<BallNumber>{{}, 2}),
+    field("rail", &EventForm::rail),
+    field("pocket", &EventForm::pocket),
+    field("before", &EventForm::before, List<Object<BallState>>{{}, 2}),
+    field("after", &EventForm::after, List<Object<BallState>>{{}, 2}),
+};
+
+struct EventCodec {
+    bool read(const Cursor& cursor, ShotEvent& event) const;
+    Json write(const ShotEvent& event, Encoding encoding) const;
+};
+
+/// A FinalBall without its meaningless member.
+struct FinalBallForm {
+    Motion motion = Motion::kStationary;
+    std::optional<Pocket> pocket;
+    BallState state;
+};
+
+template <>
+inline constexpr auto kFields<FinalBallForm> = std::tuple{
+    field("motion", &FinalBallForm::motion),
+    field("pocket", &FinalBallForm::pocket),
+    field(
+        "r", [](auto& ball) -> auto& { return ball.state.r; }, Vector3{}),
+    field(
+        "v", [](auto& ball) -> auto& { return ball.state.v; }, Vector3{}),
+    field(
+        "w", [](auto& ball) -> auto& { return ball.state.w; }, Vector3{}),
+};
+
+struct FinalBallCodec {
+    bool read(const Cursor& cursor, FinalBall& ball) const;
+    Json write(const FinalBall& ball, Encoding encoding) const;
+};
+
+/// A ball of a Frame: [index, x, y], to 10 um in JSON and in single precision in CBOR.
+struct FrameBallCodec {
+    bool read(const Cursor& cursor, Frame::Ball& ball) const;
+    Json write(const Frame::Ball& ball, Encoding encoding) const;
+};
+
+template <>
+inline constexpr auto kFields<Ruling> = std::tuple{
+    field("verdict", &Ruling::verdict),
+    field("shooter", &Ruling::shooter),
+    field("next", &Ruling::next),
+    field("winner", &Ruling::winner),
+    field("decided_at", &Ruling::decided_at, Real{0, kAnyMagnitude}),
+};
+
+}  // namespace poolhall::protocol::wire
