@@ -1,0 +1,91 @@
+"""The include lines keep the layers apart: shared <- protocol <- {server, client}, and tests may see everything."""
+
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from sources import LAYERS, ROOT, files
+
+MAY_INCLUDE = {
+    "shared": {"shared"},
+    "protocol": {"shared", "protocol"},
+    "server": {"shared", "protocol", "server"},
+    "client": {"shared", "protocol", "client"},
+    "tests": {*LAYERS, "tests"},
+}
+# The simulation has no clock, no I/O, no thread, and its own random generator.
+NOT_IN_SHARED = {
+    "chrono", "ctime", "cstdio", "iostream", "fstream", "filesystem", "thread", "mutex", "condition_variable", "atomic",
+    "future", "random", "locale", "clocale",
+}
+MOST_LINES = 450
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def fault_of(root, path, bracket, header):
+    """What is wrong with one include line, or None."""
+    layer = path.relative_to(root).parts[0]
+    if bracket == '"':
+        target = header.split("/")[0]
+        if not (root / header).is_file():
+            return f'"{header}" is no file of the project, seen from its root'
+        return None if target in MAY_INCLUDE[layer] else f'{layer} may not include "{header}"'
+    if layer == "shared" and not re.fullmatch(r"[a-z_]+", header):
+        return f"shared uses the standard library only, not <{header}>"
+    if layer == "shared" and header in NOT_IN_SHARED:
+        return f"shared has no clock, no I/O, no thread and no foreign random numbers: not <{header}>"
+    if header.startswith("boost/beast") and path.suffix != ".cpp":
+        return f"<{header}> belongs in a .cpp: it takes seconds to compile"
+    return None
+
+
+def faults_in(root):
+    """Every fault below root as 'file:line: what'."""
+    faults = []
+    for path in files(root, MAY_INCLUDE, {".hpp", ".cpp"}):
+        lines = path.read_text().splitlines()
+        name = path.relative_to(root)
+        for number, line in enumerate(lines, 1):
+            match = INCLUDE.match(line)
+            fault = match and fault_of(root, path, *match.groups())
+            if fault:
+                faults.append(f"{name}:{number}: {fault}")
+        if len(lines) > MOST_LINES:
+            faults.append(f"{name}: {len(lines)} lines; {MOST_LINES} are the most")
+    return faults
+
+
+class IncludesTest(unittest.TestCase):
+    def test_the_project_keeps_its_layers_apart(self):
+        self.assertEqual([], faults_in(ROOT))
+
+    def test_every_kind_of_violation_is_found(self):
+        planted = {
+            "shared/a.hpp": '#include "protocol/a.hpp"\n',
+            "shared/b.hpp": "#include <boost/asio.hpp>\n",
+            "shared/c.cpp": "#include <chrono>\n",
+            "protocol/a.hpp": '#include "server/a.hpp"\n',
+            "protocol/b.cpp": ' #  include "client/a.hpp"\n',
+            "server/a.hpp": '#include "client/a.hpp"\n',
+            "server/b.hpp": "#include <boost/beast/http.hpp>\n",
+            "client/a.hpp": '#include "server/a.hpp"\n',
+            "client/b.cpp": '#include "nowhere.hpp"\n',
+            "tests/long_test.cpp": "\n" * (MOST_LINES + 1),
+        }
+        innocent = {
+            "shared/d.cpp": '#include "shared/a.hpp"\n#include <cmath>\n',
+            "server/c.cpp": '#include "protocol/a.hpp"\n#include <boost/beast/http.hpp>\n',
+            "tests/x_test.cpp": '#include "server/a.hpp"\n#include "client/a.hpp"\n',
+        }
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            for name, text in {**planted, **innocent}.items():
+                (root / name).parent.mkdir(exist_ok=True)
+                (root / name).write_text(text)
+            found = [fault.split(":")[0] for fault in faults_in(root)]
+        self.assertEqual(sorted(planted), sorted(found))
+
+
+if __name__ == "__main__":
+    unittest.main()
