@@ -4,17 +4,18 @@
 
 namespace poolhall {
 
-/// Parberry's Pool End Game at Poolhall's scale: 16 px of the original are one ball radius, 28.575 mm.
+/// Parberry's Pool End Game at Poolhall's scale: 16 px of the original are one ball radius, 28.575
+/// mm.
 namespace end_game {
 
-inline constexpr double kPixel = 0.028575 / 16;         ///< m
-inline constexpr double kLength = 868 * kPixel;         ///< playfield x 78..946 px
-inline constexpr double kWidth = 403 * kPixel;          ///< playfield y 64..467 px
-inline constexpr double kBaseLineX = -217 * kPixel;     ///< x = 295 px
-inline constexpr double kFootSpotX = 220 * kPixel;      ///< x = 732 px
-inline constexpr double kShotSpeed = 1500 * kPixel;     ///< m/s
-inline constexpr double kDrag = 0.6;                    ///< 1/s
-inline constexpr double kStopSpeed = 0.0625;             ///< m/s; 35 px/s rounded
+inline constexpr double kPixel = 0.028575 / 16;      ///< m
+inline constexpr double kLength = 868 * kPixel;      ///< playfield x 78..946 px
+inline constexpr double kWidth = 403 * kPixel;       ///< playfield y 64..467 px
+inline constexpr double kBaseLineX = -217 * kPixel;  ///< x = 295 px
+inline constexpr double kFootSpotX = 220 * kPixel;   ///< x = 732 px
+inline constexpr double kShotSpeed = 1500 * kPixel;  ///< m/s
+inline constexpr double kDrag = 0.6;                 ///< 1/s
+inline constexpr double kStopSpeed = 0.0625;         ///< m/s; 35 px/s rounded
 
 inline constexpr std::string_view kCueBallId = "cue";
 inline constexpr std::string_view kEightBallId = "8";

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "shared/physics/scene.hpp"
+#include "shared/physics/trace.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string_view>
-
-#include "shared/physics/scene.hpp"
-#include "shared/physics/trace.hpp"
 
 namespace poolhall {
 
@@ -24,9 +24,9 @@ constexpr Seat opponent(Seat seat) {
 
 /// A game between shots; everything at rest.
 struct GameState {
-    Scene scene;           ///< table, effects, solver and the balls still on the table; no strike
-    BallIndex cue_ball;    ///< in scene.balls
-    Seat turn;             ///< who shoots next; once over, who shot last
+    Scene scene;         ///< table, effects, solver and the balls still on the table; no strike
+    BallIndex cue_ball;  ///< in scene.balls, always: after a scratch it is back on the base line
+    Seat turn;           ///< who shoots next; once over, who shot last
     std::uint32_t shots = 0;  ///< shots taken in this game
     bool over = false;
     std::optional<Seat> winner;  ///< set when over
@@ -46,7 +46,7 @@ struct Ruling {
     Seat shooter;
     Seat next;                   ///< who shoots next, if the game goes on
     std::optional<Seat> winner;  ///< if the shot ended the game
-    double decided_at = 0;       ///< s into the shot when it became certain; a scratch loses at once
+    double decided_at = 0;  ///< s into the shot when it became certain; a scratch loses at once
 
     friend bool operator==(const Ruling&, const Ruling&) = default;
 };

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "shared/game/game_state.hpp"
+
 #include <optional>
 #include <span>
 #include <string_view>
-
-#include "shared/game/game_state.hpp"
 
 namespace poolhall {
 
@@ -16,9 +16,9 @@ struct ShotCommand {
 /// Why the rules refuse something.
 enum class Illegal : std::uint8_t {
     kGameOver,
-    kNotPlaceable,    ///< the cue ball may not be moved now
-    kOutOfPlace,      ///< not a place where it may be put
-    kBadDirection,    ///< zero or not finite
+    kNotPlaceable,  ///< the cue ball may not be moved now
+    kOutOfPlace,    ///< not a place where it may be put
+    kBadDirection,  ///< zero or not finite
 };
 
 /// A game's rules as pure functions; nothing here keeps state. One value of this a game.
@@ -27,7 +27,8 @@ struct Ruleset {
     GameState (*new_game)(Seat first);
     /// Moves the cue ball to `position` (m), where and when the rules allow it.
     std::optional<Illegal> (*place_cue_ball)(GameState& state, Vec2 position);
-    /// The nearest place to `position` at which the cue ball may be put; nothing if it may not be moved now.
+    /// The nearest place to `position` at which the cue ball may be put; nothing if it may not be
+    /// moved now.
     std::optional<Vec2> (*nearest_placement)(const GameState& state, Vec2 position);
     /// The direction that the aim takes by itself after each stop (not normalised).
     Vec2 (*default_aim)(const GameState& state);

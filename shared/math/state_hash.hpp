@@ -1,9 +1,9 @@
 #pragma once
 
+#include "shared/math/vec3.hpp"
+
 #include <bit>
 #include <cstdint>
-
-#include "shared/math/vec3.hpp"
 
 namespace poolhall {
 
@@ -17,8 +17,12 @@ class StateHash {
         value_ = (value_ ^ word) * 0x9E3779B97F4A7C15ULL;
         value_ ^= value_ >> 32U;
     }
+
     /// The bits of the double, with -0 taken as 0: the two compare equal, so they must hash equal.
-    constexpr void add(double number) { add(std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number)); }
+    constexpr void add(double number) {
+        add(std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number));
+    }
+
     constexpr void add(const Vec3& vector) {
         add(vector.x);
         add(vector.y);

@@ -15,25 +15,32 @@ struct Vec2 {
 constexpr Vec2 operator+(Vec2 a, Vec2 b) {
     return {a.x + b.x, a.y + b.y};
 }
+
 constexpr Vec2 operator-(Vec2 a, Vec2 b) {
     return {a.x - b.x, a.y - b.y};
 }
+
 constexpr Vec2 operator-(Vec2 a) {
     return {-a.x, -a.y};
 }
+
 constexpr Vec2 operator*(double s, Vec2 a) {
     return {s * a.x, s * a.y};
 }
+
 constexpr double dot(Vec2 a, Vec2 b) {
     return a.x * b.x + a.y * b.y;
 }
+
 /// z component of a x b; positive when b is to the left of a.
 constexpr double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
+
 inline double norm(Vec2 a) {
     return std::sqrt(dot(a, a));
 }
+
 /// a / |a|. Scales first, so that neither 1e200 nor 5e-324 is lost; a zero vector stays zero.
 inline Vec2 normalized(Vec2 a) {
     const double ax = a.x < 0 ? -a.x : a.x;

@@ -4,7 +4,8 @@
 
 namespace poolhall {
 
-/// A vector in space: metres, metres a second, or radians a second (right-handed) for angular velocity.
+/// A vector in space: metres, metres a second, or radians a second (right-handed) for angular
+/// velocity.
 struct Vec3 {
     double x = 0;
     double y = 0;
@@ -17,6 +18,7 @@ struct Vec3 {
 constexpr Vec2 xy(const Vec3& a) {
     return {a.x, a.y};
 }
+
 constexpr void set_xy(Vec3& a, Vec2 value) {
     a.x = value.x;
     a.y = value.y;

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "shared/table/ball.hpp"
+#include "shared/table/table.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "shared/table/ball.hpp"
-#include "shared/table/table.hpp"
 
 namespace poolhall {
 
@@ -46,7 +46,8 @@ struct Effects {
 
 enum class SolverKind : std::uint8_t {
     kEuler,    ///< explicit Euler, contacts by swept time of impact
-    kOverlap,  ///< explicit Euler, contacts by the overlap found at the end of a tick; it misses some
+    kOverlap,  ///< explicit Euler, contacts by the overlap found at the end of a tick; it misses
+               ///< some
 };
 
 struct SolverSpec {

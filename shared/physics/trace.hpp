@@ -1,19 +1,19 @@
 #pragma once
 
+#include "shared/physics/scene.hpp"
+
 #include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "shared/physics/scene.hpp"
-
 namespace poolhall {
 
 enum class EventKind : std::uint8_t { kStrike, kRollToRest, kBallBall, kBallRail, kBallPocket };
 
-/// Something that happened at an instant. One or two balls take part (ball_count); where it is one, the
-/// second places mean nothing. `rail` and `pocket` mean something only for their kinds.
+/// Something that happened at an instant. One or two balls take part (ball_count); where it is one,
+/// the second places mean nothing. `rail` and `pocket` mean something only for their kinds.
 struct ShotEvent {
     double t = 0;  ///< s since the strike
     EventKind kind = EventKind::kStrike;
@@ -30,7 +30,7 @@ enum class Outcome : std::uint8_t {
     kRest,        ///< nothing moves any more
     kTimeLimit,   ///< Limits::time
     kEventLimit,  ///< Limits::events
-    kStalled,     ///< more contacts in one tick than kMaxContactsPerTick: a loud error, never a hang
+    kStalled,  ///< more contacts in one tick than kMaxContactsPerTick: a loud error, never a hang
 };
 
 struct FinalBall {
@@ -46,14 +46,19 @@ struct ShotTrace {
     Outcome outcome = Outcome::kRest;
     double duration = 0;  ///< time of the last event, or the limit; s
     std::uint64_t ticks = 0;
-    std::vector<ShotEvent> events;     ///< in order of time
-    std::vector<FinalBall> balls;      ///< in the scene's order
-    double sample_hz = 0;              ///< of `samples`; 0: none asked for
-    std::vector<Vec2> samples;         ///< sample k, ball i at [k * balls.size() + i]; m
-    std::uint64_t hash = 0;            ///< of events and final states
+    std::vector<ShotEvent> events;  ///< in order of time
+    std::vector<FinalBall> balls;   ///< in the scene's order
+    double sample_hz = 0;           ///< of `samples`; 0: none asked for
+    std::vector<Vec2> samples;      ///< sample k, ball i at [k * balls.size() + i]; m
+    std::uint64_t hash = 0;         ///< of events and final states
 
-    [[nodiscard]] std::size_t sample_count() const { return balls.empty() ? 0 : samples.size() / balls.size(); }
-    [[nodiscard]] Vec2 sample(std::size_t k, std::size_t ball) const { return samples[k * balls.size() + ball]; }
+    [[nodiscard]] std::size_t sample_count() const {
+        return balls.empty() ? 0 : samples.size() / balls.size();
+    }
+
+    [[nodiscard]] Vec2 sample(std::size_t k, std::size_t ball) const {
+        return samples[k * balls.size() + ball];
+    }
 };
 
 /// "strike", "roll_to_rest", "ball_ball", "ball_rail", "ball_pocket".
@@ -65,9 +70,11 @@ struct ShotTrace {
 /// "euler", "overlap".
 [[nodiscard]] std::string_view name(SolverKind kind);
 
-/// Hash of the events (kind, balls, bits of t) and the bits of the final states in the scene's order.
+/// Hash of the events (kind, balls, bits of t) and the bits of the final states in the scene's
+/// order.
 [[nodiscard]] std::uint64_t hash_of(const ShotTrace& trace);
-/// Hash of all that determines the shot, ids included: two machines that agree on it simulate the same.
+/// Hash of all that determines the shot, ids included: two machines that agree on it simulate the
+/// same.
 [[nodiscard]] std::uint64_t hash_of(const Scene& scene);
 /// 16 lower-case hex digits.
 [[nodiscard]] std::string to_hex(std::uint64_t hash);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstdint>
-
 #include "shared/math/vec3.hpp"
+
+#include <cstdint>
 
 namespace poolhall {
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "shared/math/vec2.hpp"
+
 #include <cstdint>
 #include <string_view>
-
-#include "shared/math/vec2.hpp"
 
 namespace poolhall {
 

@@ -1,0 +1,141 @@
+#include "shared/game/end_game.hpp"
+
+#include "shared/physics/simulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poolhall {
+
+namespace {
+
+using namespace end_game;
+
+/// How far off the base line a requested place may be, m: a client's arithmetic may round
+/// differently.
+constexpr double kBaseLineTolerance = 1e-6;
+
+GameState new_game(Seat first) {
+    GameState state;
+    state.scene.id = "end_game";
+    state.scene.table = {kLength, kWidth, true, PocketModel::kEndGame};
+    state.scene.effects.linear_drag = LinearDragSpec{kDrag, kStopSpeed};
+    state.scene.solver = {SolverKind::kEuler, kPlayoutHz};
+    state.scene.balls = {{std::string(kCueBallId), {{kBaseLineX, 0, 0}, {}, {}}},
+                         {std::string(kEightBallId), {{kFootSpotX, 0, 0}, {}, {}}}};
+    state.turn = first;
+    return state;
+}
+
+bool placeable(const GameState& state) {
+    return !state.over && state.shots == 0;
+}
+
+std::optional<Vec2> nearest_placement(const GameState& state, Vec2 position) {
+    if (!placeable(state)) return std::nullopt;
+    const double edge = inset(state.scene.table, state.scene.ball.radius).y;
+    return Vec2{kBaseLineX, std::clamp(position.y, -edge, edge)};
+}
+
+std::optional<Illegal> place_cue_ball(GameState& state, Vec2 position) {
+    if (!placeable(state)) return Illegal::kNotPlaceable;
+    const double edge = inset(state.scene.table, state.scene.ball.radius).y;
+    const bool on_line =
+        std::abs(position.x - kBaseLineX) <= kBaseLineTolerance && std::abs(position.y) <= edge;
+    if (!on_line) return Illegal::kOutOfPlace;
+    set_xy(state.scene.balls[state.cue_ball.value].state.r, {kBaseLineX, position.y});
+    return std::nullopt;
+}
+
+Vec2 default_aim(const GameState& state) {
+    const auto eight = find_ball(state.scene, kEightBallId);
+    if (!eight) return {1, 0};
+    return xy(state.scene.balls[eight->value].state.r) -
+           xy(state.scene.balls[state.cue_ball.value].state.r);
+}
+
+std::optional<Illegal> check_shot(const GameState& state, const ShotCommand& command) {
+    if (state.over) return Illegal::kGameOver;
+    const auto [x, y] = command.direction;
+    if (!std::isfinite(x) || !std::isfinite(y) || (x == 0 && y == 0)) return Illegal::kBadDirection;
+    return std::nullopt;
+}
+
+/// When the ball went down, if it did.
+std::optional<double> time_pocketed(const ShotTrace& trace, std::optional<BallIndex> ball) {
+    for (const ShotEvent& event : trace.events) {
+        if (event.kind == EventKind::kBallPocket && event.balls[0] == ball) return event.t;
+    }
+    return std::nullopt;
+}
+
+/// The cue ball down loses at once, even if the 8-ball is down already; the 8-ball down wins only
+/// once everything is at rest.
+Ruling rule(const GameState& state, const ShotTrace& trace) {
+    Ruling ruling;
+    ruling.shooter = state.turn;
+    ruling.next = opponent(state.turn);
+    if (const auto scratch = time_pocketed(trace, state.cue_ball)) {
+        ruling.verdict = Verdict::kScratch;
+        ruling.winner = opponent(state.turn);
+        ruling.decided_at = *scratch;
+        return ruling;
+    }
+    ruling.decided_at = trace.duration;
+    if (time_pocketed(trace, find_ball(state.scene, kEightBallId))) {
+        ruling.verdict = Verdict::kWon;
+        ruling.winner = state.turn;
+    }
+    return ruling;
+}
+
+/// A free place on the base line, the middle if it is free. One other ball cannot block all three.
+Vec2 respot(const Scene& scene, BallIndex cue) {
+    const double diameter = 2 * scene.ball.radius;
+    for (const double y : {0.0, 2 * diameter, -2 * diameter}) {
+        const bool free =
+            std::none_of(scene.balls.begin(), scene.balls.end(), [&](const SceneBall& ball) {
+                return &ball != &scene.balls[cue.value] &&
+                       norm(xy(ball.state.r) - Vec2{kBaseLineX, y}) < diameter;
+            });
+        if (free) return {kBaseLineX, y};
+    }
+    return {kBaseLineX, 0};
+}
+
+/// Leaves the scene as the shot did: sunk balls are off it, but for the cue ball, which returns to
+/// the base line.
+void clear_table(Scene& scene, const ShotTrace& trace, BallIndex cue) {
+    for (std::size_t i = 0; i < trace.balls.size(); ++i)
+        scene.balls[i].state = trace.balls[i].state;
+    for (std::size_t i = trace.balls.size(); i-- > 0;) {
+        if (i != cue.value && trace.balls[i].motion == Motion::kPocketed) {
+            scene.balls.erase(scene.balls.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+    if (trace.balls[cue.value].motion == Motion::kPocketed)
+        set_xy(scene.balls[cue.value].state.r, respot(scene, cue));
+}
+
+ShotOutcome play(const GameState& state, const ShotCommand& command) {
+    ShotOutcome outcome;
+    outcome.scene = state.scene;
+    outcome.scene.strike = Strike{state.cue_ball, command.direction, kShotSpeed};
+    simulate(outcome.scene, kPlayoutHz, outcome.trace);
+    outcome.ruling = rule(state, outcome.trace);
+
+    outcome.state = state;
+    outcome.state.shots = state.shots + 1;
+    outcome.state.winner = outcome.ruling.winner;
+    outcome.state.over = outcome.ruling.winner.has_value();
+    if (!outcome.state.over) outcome.state.turn = outcome.ruling.next;
+    clear_table(outcome.state.scene, outcome.trace, state.cue_ball);
+    return outcome;
+}
+
+}  // namespace
+
+constinit const Ruleset kEndGameRules{
+    "end_game", new_game, place_cue_ball, nearest_placement, default_aim, check_shot, play};
+
+}  // namespace poolhall

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "shared/math/vec2.hpp"
+
+#include <cmath>
+
+namespace poolhall {
+
+/// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: about 106 bits, from + - * and sqrt of
+/// doubles only. Dekker, "A floating-point technique for extending the available precision", 1971;
+/// Knuth's two-sum. Exact as long as nothing over- or underflows: callers scale first.
+struct DoubleDouble {
+    double hi = 0;
+    double lo = 0;
+};
+
+/// a + b exactly.
+constexpr DoubleDouble two_sum(double a, double b) {
+    const double sum = a + b;
+    const double b_part = sum - a;
+    return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+/// a + b exactly, for |a| >= |b|.
+constexpr DoubleDouble quick_two_sum(double a, double b) {
+    const double sum = a + b;
+    return {sum, b - (sum - a)};
+}
+
+/// a * b exactly. Dekker's split, not fma: fma is a library call on plain x86-64.
+constexpr DoubleDouble two_product(double a, double b) {
+    constexpr double kSplit = 134217729;  // 2^27 + 1
+    const double a_big = kSplit * a;
+    const double a_hi = a_big - (a_big - a);
+    const double a_lo = a - a_hi;
+    const double b_big = kSplit * b;
+    const double b_hi = b_big - (b_big - b);
+    const double b_lo = b - b_hi;
+    const double product = a * b;
+    return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
+}
+
+constexpr DoubleDouble operator-(DoubleDouble a) {
+    return {-a.hi, -a.lo};
+}
+
+constexpr DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
+    const DoubleDouble high = two_sum(a.hi, b.hi);
+    const DoubleDouble low = two_sum(a.lo, b.lo);
+    const DoubleDouble sum = quick_two_sum(high.hi, high.lo + low.hi);
+    return quick_two_sum(sum.hi, sum.lo + low.lo);
+}
+
+constexpr DoubleDouble operator-(DoubleDouble a, DoubleDouble b) {
+    return a + -b;
+}
+
+constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
+    const DoubleDouble product = two_product(a.hi, b.hi);
+    return quick_two_sum(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+
+/// Square root of a number that is not negative: one Newton step on the double's root.
+inline DoubleDouble sqrt(DoubleDouble a) {
+    if (a.hi <= 0) return {};
+    const double root = std::sqrt(a.hi);
+    const DoubleDouble rest = a - two_product(root, root);
+    return quick_two_sum(root, rest.hi / (2 * root));
+}
+
+constexpr double value(DoubleDouble a) {
+    return a.hi + a.lo;
+}
+
+struct Vec2DoubleDouble {
+    DoubleDouble x;
+    DoubleDouble y;
+};
+
+/// a - b without rounding.
+constexpr Vec2DoubleDouble exact_difference(Vec2 a, Vec2 b) {
+    return {two_sum(a.x, -b.x), two_sum(a.y, -b.y)};
+}
+
+constexpr DoubleDouble dot(const Vec2DoubleDouble& a, const Vec2DoubleDouble& b) {
+    return a.x * b.x + a.y * b.y;
+}
+
+constexpr DoubleDouble cross(const Vec2DoubleDouble& a, const Vec2DoubleDouble& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+}  // namespace poolhall

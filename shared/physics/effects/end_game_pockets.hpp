@@ -1,0 +1,31 @@
+#pragma once
+
+#include "shared/physics/scene.hpp"
+#include "shared/table/pockets.hpp"
+
+namespace poolhall {
+
+/// The original game's pockets as an effect of a scene.
+class EndGamePockets {
+  public:
+    explicit EndGamePockets(const Scene& scene)
+        : map_(scene.table, scene.ball.radius), active_(called_for(scene)) {}
+
+    [[nodiscard]] static bool called_for(const Scene& scene) {
+        return scene.table.pockets == PocketModel::kEndGame;
+    }
+
+    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
+        return active_ ? map_.first_capture(r, v, time) : std::nullopt;
+    }
+
+    [[nodiscard]] std::optional<Pocket> at(Vec2 r) const {
+        return active_ ? map_.at(r) : std::nullopt;
+    }
+
+  private:
+    EndGamePocketMap map_;
+    bool active_;
+};
+
+}  // namespace poolhall

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "shared/physics/scene.hpp"
+
+namespace poolhall {
+
+/// The original game's friction: v' = -k v, and at rest below a stop speed. Not what cloth does
+/// (that is Coulomb friction), but what the game feels like. Source: SAGE's Pool End Game,
+/// CObject::Move, as an explicit Euler step.
+class LinearDrag {
+  public:
+    explicit LinearDrag(const Scene& scene)
+        : k_(called_for(scene) ? scene.effects.linear_drag->k : 0),
+          stop_speed_(called_for(scene) ? scene.effects.linear_drag->stop_speed : 0) {}
+
+    [[nodiscard]] static bool called_for(const Scene& scene) {
+        return scene.effects.linear_drag.has_value();
+    }
+
+    /// The velocity (m/s) after an explicit Euler step of dt (s).
+    [[nodiscard]] Vec2 euler_step(Vec2 v, double dt) const {
+        const Vec2 next = (1 - k_ * dt) * v;
+        return dot(next, next) < stop_speed_ * stop_speed_ ? Vec2{} : next;
+    }
+
+  private:
+    double k_;           ///< 1/s
+    double stop_speed_;  ///< m/s
+};
+
+}  // namespace poolhall

@@ -1,0 +1,177 @@
+#pragma once
+
+#include "shared/physics/contact.hpp"
+#include "shared/physics/effects/effect_set.hpp"
+#include "shared/physics/shot_run.hpp"
+#include "shared/physics/solvers/stepping.hpp"
+#include "shared/physics/time_of_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace poolhall {
+
+/// More contacts than this within one tick end the shot as stalled: balls that are this fast are no
+/// pool.
+inline constexpr int kMaxContactsPerTick = 10000;
+
+/// Explicit Euler steps of 1 / hz: r += v dt, then the velocities change. Between two ticks motion
+/// is uniform, so contacts are found by their time of impact, earliest first, as many as there are:
+/// nothing tunnels at any speed.
+template <class Set>
+class EulerSolver {
+  public:
+    EulerSolver(const Set& set, ShotRun& run) : set_(set), run_(run) {}
+
+    void solve() {
+        run_ticks(run_, [this](double begin, double end) { return tick(begin, end); });
+    }
+
+  private:
+    /// One tick from `begin` to `end`, in s. kRest means that it went well.
+    Outcome tick(double begin, double end) {
+        const double dt = end - begin;
+        double passed = 0;
+        for (int round = 0; round < kMaxContactsPerTick; ++round) {
+            if (run_.event_limit_reached()) return Outcome::kEventLimit;
+            const double next = next_instant(dt - passed);
+            if (next > dt - passed) {
+                advance(begin + passed, end, dt - passed);
+                if constexpr (Set::template kHas<LinearDrag>) {
+                    slow_down(run_, set_.template effect<LinearDrag>(), dt, end);
+                }
+                run_.sample_at(end);
+                return Outcome::kRest;
+            }
+            advance(begin + passed, end, next);
+            passed += next;
+            if (!happen(begin + passed)) return Outcome::kStalled;
+        }
+        return Outcome::kStalled;
+    }
+
+    void advance(double from, double tick_end, double time) {
+        run_.sample_between(from, std::min(from + time, tick_end));
+        for (MovingBall& ball : run_.balls())
+            ball.r = ball.r + time * ball.v;
+    }
+
+    /// Collects what happens first within `time` s, and returns when; more than `time` if nothing
+    /// does.
+    double next_instant(double time) {
+        contacts_.clear();
+        captures_.clear();
+        first_ = std::nextafter(time, kForever);
+        if constexpr (Set::template kHas<EndGamePockets>) find_captures(time);
+        find_ball_contacts();
+        if constexpr (Set::template kHas<Rails>) find_rail_contacts();
+        return first_;
+    }
+
+    /// True if an event at t is among the first; forgets later ones.
+    bool is_first(double t) {
+        if (t > first_) return false;
+        if (t < first_) {
+            contacts_.clear();
+            captures_.clear();
+        }
+        first_ = t;
+        return true;
+    }
+
+    void find_captures(double time) {
+        const auto& pockets = set_.template effect<EndGamePockets>();
+        for (std::size_t i = 0; i < run_.balls().size(); ++i) {
+            const MovingBall& ball = run_.balls()[i];
+            if (!ball.in_play || ball.v == Vec2{}) continue;
+            const std::optional<Capture> capture = pockets.first_capture(ball.r, ball.v, time);
+            if (capture && is_first(capture->t)) captures_.push_back({i, capture->pocket});
+        }
+    }
+
+    void find_ball_contacts() {
+        const std::vector<MovingBall>& balls = run_.balls();
+        const double distance = 2 * run_.scene().ball.radius;
+        for (std::size_t a = 0; a < balls.size(); ++a) {
+            for (std::size_t b = a + 1; b < balls.size(); ++b) {
+                if (!balls[a].in_play || !balls[b].in_play || balls[a].v == balls[b].v) continue;
+                if (balls[a].partner == b && balls[b].partner == a) continue;
+                const std::optional<double> t =
+                    time_of_impact({balls[a].r, balls[a].v}, {balls[b].r, balls[b].v}, distance);
+                if (t && is_first(*t))
+                    contacts_.push_back({Contact::Kind::kBalls, a, b, Rail::kNorth});
+            }
+        }
+    }
+
+    void find_rail_contacts() {
+        const auto& rails = set_.template effect<Rails>();
+        for (std::size_t i = 0; i < run_.balls().size(); ++i) {
+            const MovingBall& ball = run_.balls()[i];
+            if (!ball.in_play) continue;
+            for (const auto& hit :
+                 {rails.next_short_rail(ball.r, ball.v), rails.next_long_rail(ball.r, ball.v)}) {
+                if (hit && is_first(hit->t))
+                    contacts_.push_back({Contact::Kind::kRail, i, 0, hit->rail});
+            }
+        }
+    }
+
+    /// Lets happen what next_instant() found: captures, or else the contacts as one group.
+    bool happen(double t) {
+        if constexpr (Set::template kHas<EndGamePockets>) {
+            for (const auto& [ball, pocket] : captures_)
+                run_.capture(t, ball, pocket);
+            // A captured ball takes part in nothing else; what remains is found again, 0 s from
+            // here.
+            if (!captures_.empty()) return true;
+        }
+        if constexpr (Set::template kHas<Rails>) snap_to_rails();
+        before_ = run_.balls();
+        if (!resolve(contacts_, restitution(), run_.balls())) return false;
+        for (const Contact& contact : contacts_) {
+            if (contact.kind == Contact::Kind::kRail) {
+                run_.record_rail(t, contact.a, contact.rail, before_[contact.a]);
+            } else {
+                run_.record_pair(t, contact.a, contact.b, before_[contact.a], before_[contact.b]);
+            }
+        }
+        return true;
+    }
+
+    /// r + v t rounds; at a rail the right coordinate is known, and a million bounces stay exact.
+    void snap_to_rails() {
+        const Vec2 edge = set_.template effect<Rails>().edge();
+        for (const Contact& contact : contacts_) {
+            if (contact.kind != Contact::Kind::kRail) continue;
+            Vec2& r = run_.balls()[contact.a].r;
+            const Vec2 n = outward_normal(contact.rail);
+            if (n.x != 0) r.x = n.x * edge.x;
+            if (n.y != 0) r.y = n.y * edge.y;
+        }
+    }
+
+    [[nodiscard]] double restitution() const {
+        if constexpr (Set::template kHas<Rails>) return set_.template effect<Rails>().restitution();
+        return 1;
+    }
+
+    struct FoundCapture {
+        std::size_t ball;
+        Pocket pocket;
+    };
+
+    static constexpr double kForever = std::numeric_limits<double>::infinity();
+
+    const Set& set_;
+    ShotRun& run_;
+    double first_ = 0;
+    std::vector<Contact> contacts_;
+    std::vector<FoundCapture> captures_;
+    std::vector<MovingBall> before_;
+};
+
+}  // namespace poolhall
