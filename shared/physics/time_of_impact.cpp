@@ -82,4 +82,14 @@ std::optional<double> time_of_impact(const UniformMotion& a, const UniformMotion
     return *t * scale;
 }
 
+double time_since_impact(const UniformMotion& a, const UniformMotion& b, double distance) {
+    const Vec2 c = a.r - b.r;
+    const Vec2 v = b.v - a.v;
+    const Vec2 along = normalized(v);
+    const double aside = cross(along, c);
+    // (d - aside)(d + aside) rather than d^2 - aside^2: no cancellation of squares near grazing.
+    const double half_chord = std::sqrt((distance - aside) * (distance + aside));
+    return (half_chord - dot(along, c)) / norm(v);
+}
+
 }  // namespace poolhall

@@ -24,4 +24,10 @@ struct UniformMotion {
 [[nodiscard]] std::optional<double> time_of_impact(const UniformMotion& a, const UniformMotion& b,
                                                    double distance);
 
+/// How long ago (s) two overlapping centres that have moved uniformly were `distance` (m) apart:
+/// the correction of the text's 5.2.1, (-v^.c + sqrt(d^2 - (v^ x c)^2)) / |v| with c from b to a.
+/// Their relative velocity must not be zero.
+[[nodiscard]] double time_since_impact(const UniformMotion& a, const UniformMotion& b,
+                                       double distance);
+
 }  // namespace poolhall

@@ -23,6 +23,8 @@ struct ShotEvent {
     std::array<BallIndex, 2> balls;
     std::array<BallState, 2> before;
     std::array<BallState, 2> after;
+
+    friend bool operator==(const ShotEvent&, const ShotEvent&) = default;
 };
 
 /// How a simulation ended.
@@ -37,6 +39,8 @@ struct FinalBall {
     Motion motion = Motion::kStationary;
     Pocket pocket = Pocket::kNorthWest;  ///< meaningful where motion is kPocketed
     BallState state;                     ///< a pocketed ball keeps the r of its capture, v = w = 0
+
+    friend bool operator==(const FinalBall&, const FinalBall&) = default;
 };
 
 /// All of one shot.

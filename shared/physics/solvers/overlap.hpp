@@ -4,7 +4,9 @@
 #include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/shot_run.hpp"
 #include "shared/physics/solvers/stepping.hpp"
+#include "shared/physics/time_of_impact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -31,7 +33,7 @@ class OverlapSolver {
         const std::size_t first_event = run_.event_count();
         for (MovingBall& ball : run_.balls())
             ball.r = ball.r + dt * ball.v;
-        separate_pairs(end);
+        separate_pairs(dt, end);
         if constexpr (Set::template kHas<Rails>) {
             for (std::size_t i = 0; i < run_.balls().size(); ++i) {
                 if (!bounce(i, end)) return Outcome::kStalled;
@@ -45,29 +47,26 @@ class OverlapSolver {
         return Outcome::kRest;
     }
 
-    void separate_pairs(double end) {
+    void separate_pairs(double dt, double end) {
         std::vector<MovingBall>& balls = run_.balls();
         for (std::size_t a = 0; a < balls.size(); ++a) {
             for (std::size_t b = a + 1; b < balls.size(); ++b) {
-                if (balls[a].in_play && balls[b].in_play) separate(a, b, end);
+                if (balls[a].in_play && balls[b].in_play) separate(a, b, dt, end);
             }
         }
     }
 
-    /// Text, 5.2.1: c from b to a, v of b relative to a. They touched when b was d further back
-    /// along v, with d^2 + 2 d (v^.c) + c.c - delta^2 = 0; the balls have met `d / |v|` seconds
-    /// ago.
-    void separate(std::size_t a, std::size_t b, double end) {
+    /// Text, 5.2.1.
+    void separate(std::size_t a, std::size_t b, double dt, double end) {
         MovingBall& first = run_.balls()[a];
         MovingBall& second = run_.balls()[b];
-        const double delta = 2 * run_.scene().ball.radius;
+        const double diameter = 2 * run_.scene().ball.radius;
         const Vec2 c = first.r - second.r;
         const Vec2 v = second.v - first.v;
-        const double speed = norm(v);
-        if (dot(c, c) >= delta * delta || speed == 0) return;
-        const double along = dot(normalized(v), c);
+        if (dot(c, c) >= diameter * diameter || v == Vec2{}) return;
+        // Never before this tick, even where an earlier tick left an overlap behind.
         const double since =
-            (-along + std::sqrt(along * along - dot(c, c) + delta * delta)) / speed;
+            std::min(time_since_impact({first.r, first.v}, {second.r, second.v}, diameter), dt);
         const MovingBall met_first{first.r - since * first.v, first.v};
         const MovingBall met_second{second.r - since * second.v, second.v};
         // Separating when they touched: they have overlapped from the start, and there is no impact
