@@ -29,6 +29,8 @@ struct CreateMatch {
     std::string name;
     std::string game = "end_game";
     Stream stream = Stream::kStates;
+
+    friend bool operator==(const CreateMatch&, const CreateMatch&) = default;
 };
 
 struct JoinMatch {
@@ -36,6 +38,8 @@ struct JoinMatch {
     std::string code;
     std::string name;
     Stream stream = Stream::kStates;
+
+    friend bool operator==(const JoinMatch&, const JoinMatch&) = default;
 };
 
 struct WatchMatch {
@@ -43,6 +47,8 @@ struct WatchMatch {
     std::string code;
     std::string name;
     Stream stream = Stream::kStates;
+
+    friend bool operator==(const WatchMatch&, const WatchMatch&) = default;
 };
 
 /// Comes back to the seats that the token holds.
@@ -51,51 +57,69 @@ struct Resume {
     std::string code;
     std::string token;
     Stream stream = Stream::kStates;
+
+    friend bool operator==(const Resume&, const Resume&) = default;
 };
 
 /// A seated player also takes the open seat: one person plays both ("hot seat").
 struct TakeSeat {
     static constexpr std::string_view kType = "take_seat";
     Seat seat;
+
+    friend bool operator==(const TakeSeat&, const TakeSeat&) = default;
 };
 
 /// Gives a seat back, so that somebody else can join. Not while a shot runs.
 struct LeaveSeat {
     static constexpr std::string_view kType = "leave_seat";
     Seat seat;
+
+    friend bool operator==(const LeaveSeat&, const LeaveSeat&) = default;
 };
 
 struct Aim {
     static constexpr std::string_view kType = "aim";
     Seat seat;
     Vec2 direction;
+
+    friend bool operator==(const Aim&, const Aim&) = default;
 };
 
 struct PlaceCueBall {
     static constexpr std::string_view kType = "place_cue_ball";
     Seat seat;
     Vec2 position;  ///< m
+
+    friend bool operator==(const PlaceCueBall&, const PlaceCueBall&) = default;
 };
 
 struct Shoot {
     static constexpr std::string_view kType = "shoot";
     Seat seat;
     Vec2 direction;
+
+    friend bool operator==(const Shoot&, const Shoot&) = default;
 };
 
 /// A vote for another game with the sides changed; it starts when both seats have voted.
 struct Rematch {
     static constexpr std::string_view kType = "rematch";
     Seat seat;
+
+    friend bool operator==(const Rematch&, const Rematch&) = default;
 };
 
 /// Leaves the match: seats become open, the session can create or join another.
 struct Leave {
     static constexpr std::string_view kType = "leave";
+
+    friend bool operator==(const Leave&, const Leave&) = default;
 };
 
 struct Ping {
     static constexpr std::string_view kType = "ping";
+
+    friend bool operator==(const Ping&, const Ping&) = default;
 };
 
 using ClientBody = std::variant<CreateMatch, JoinMatch, WatchMatch, Resume, TakeSeat, LeaveSeat,
@@ -104,6 +128,8 @@ using ClientBody = std::variant<CreateMatch, JoinMatch, WatchMatch, Resume, Take
 struct ClientMessage {
     std::uint32_t seq = 0;  ///< 1 or more, rising within a connection
     ClientBody body;
+
+    friend bool operator==(const ClientMessage&, const ClientMessage&) = default;
 };
 
 // ---- server to client ------------------------------------------------------------
@@ -145,6 +171,8 @@ struct SeatInfo {
     std::string name;
     bool wants_rematch = false;
     std::uint32_t wins = 0;
+
+    friend bool operator==(const SeatInfo&, const SeatInfo&) = default;
 };
 
 /// Where a shot in progress stands, for those who come late.
@@ -152,6 +180,8 @@ struct LiveShot {
     std::uint32_t shot = 0;
     std::uint32_t tick = 0;
     std::vector<Vec2> balls;  ///< at that tick, in the scene's order, m
+
+    friend bool operator==(const LiveShot&, const LiveShot&) = default;
 };
 
 /// All that is public of a match between two messages.
@@ -171,6 +201,8 @@ struct TableState {
     BallIndex cue_ball;
     std::optional<Ruling> ruling;  ///< of the last shot of this game
     std::optional<LiveShot> live;  ///< while phase is kPlaying
+
+    friend bool operator==(const TableState&, const TableState&) = default;
 };
 
 /// The first message of every session.
@@ -178,11 +210,15 @@ struct Welcome {
     static constexpr std::string_view kType = "welcome";
     std::string server;  ///< "poolhall 0.1.0"
     int protocol = 1;
+
+    friend bool operator==(const Welcome&, const Welcome&) = default;
 };
 
 struct Accepted {
     static constexpr std::string_view kType = "accepted";
     std::uint32_t seq = 0;
+
+    friend bool operator==(const Accepted&, const Accepted&) = default;
 };
 
 struct Reject {
@@ -190,6 +226,8 @@ struct Reject {
     std::uint32_t seq = 0;  ///< 0: it could not be read
     RejectCode code = RejectCode::kMalformed;
     std::string reason;  ///< a sentence
+
+    friend bool operator==(const Reject&, const Reject&) = default;
 };
 
 /// Answers create_match, join_match, watch_match and resume.
@@ -199,12 +237,16 @@ struct Joined {
     std::string token;        ///< brings a player back to the seats; empty for a spectator
     std::vector<Seat> seats;  ///< held by this session
     TableState table;
+
+    friend bool operator==(const Joined&, const Joined&) = default;
 };
 
 /// Whenever seats, phase, turn, placement or the number of spectators change.
 struct TableChanged {
     static constexpr std::string_view kType = "table";
     TableState table;
+
+    friend bool operator==(const TableChanged&, const TableChanged&) = default;
 };
 
 struct AimChanged {
@@ -212,6 +254,8 @@ struct AimChanged {
     Seat seat;
     Vec2 direction;
     Vec2 cue;  ///< where the cue ball is, m
+
+    friend bool operator==(const AimChanged&, const AimChanged&) = default;
 };
 
 struct ShotStarted {
@@ -221,6 +265,8 @@ struct ShotStarted {
     Scene scene;  ///< complete, with its strike
     std::uint64_t scene_hash = 0;
     std::optional<std::uint64_t> final_hash;  ///< for Stream::kShots
+
+    friend bool operator==(const ShotStarted&, const ShotStarted&) = default;
 };
 
 /// The shot at tick / 30 s. Positions are for display, rounded to 10 um or to single precision.
@@ -230,12 +276,16 @@ struct Frame {
     struct Ball {
         BallIndex ball;
         Vec2 r;  ///< m
+
+        friend bool operator==(const Ball&, const Ball&) = default;
     };
 
     std::uint32_t shot = 0;
     std::uint32_t tick = 0;
     std::vector<Ball> balls;        ///< those that moved since the last tick
     std::vector<ShotEvent> events;  ///< since the last tick, with exact times and positions
+
+    friend bool operator==(const Frame&, const Frame&) = default;
 };
 
 struct ShotEnded {
@@ -250,17 +300,23 @@ struct ShotEnded {
     std::uint64_t hash = 0;
     Ruling ruling;
     TableState table;  ///< what comes next
+
+    friend bool operator==(const ShotEnded&, const ShotEnded&) = default;
 };
 
 struct Pong {
     static constexpr std::string_view kType = "pong";
     std::uint32_t seq = 0;
+
+    friend bool operator==(const Pong&, const Pong&) = default;
 };
 
 /// The last message before the server closes the session.
 struct Closing {
     static constexpr std::string_view kType = "closing";
     std::string reason;
+
+    friend bool operator==(const Closing&, const Closing&) = default;
 };
 
 using ServerMessage = std::variant<Welcome, Accepted, Reject, Joined, TableChanged, AimChanged,
