@@ -7,7 +7,7 @@ ALLOWED = re.compile(
     r"sqrt"
     r"|_Z\w+"  # C++: ours, and the standard library's; <cmath> itself calls C's functions, which have plain names
     r"|__cxa_\w+|__gxx_personality_v0|_Unwind_Resume|DW\.ref\.__gxx_personality_v0"  # exceptions of the containers
-    r"|mem(chr|cmp|cpy|move|set)|strlen"
+    r"|mem(chr|cmp|cpy|move|set)|bcmp|strlen"
     r"|__(memcpy|memmove|memset|strcpy)_chk|__stack_chk_fail|abort|__assert_fail|__glibcxx_assert_fail"
     r"|_GLOBAL_OFFSET_TABLE_|__dso_handle"
 )

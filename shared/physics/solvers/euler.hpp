@@ -7,8 +7,8 @@
 #include "shared/physics/time_of_impact.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,6 +17,11 @@ namespace poolhall {
 /// More contacts than this within one tick end the shot as stalled: balls that are this fast are no
 /// pool.
 inline constexpr int kMaxContactsPerTick = 10000;
+
+/// The next double after x >= 0; std::nextafter would be a call of the C library.
+constexpr double next_above(double x) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1);
+}
 
 /// Explicit Euler steps of 1 / hz: r += v dt, then the velocities change. Between two ticks motion
 /// is uniform, so contacts are found by their time of impact, earliest first, as many as there are:
@@ -64,7 +69,7 @@ class EulerSolver {
     double next_instant(double time) {
         contacts_.clear();
         captures_.clear();
-        first_ = std::nextafter(time, kForever);
+        first_ = next_above(time);
         if constexpr (Set::template kHas<EndGamePockets>) find_captures(time);
         find_ball_contacts();
         if constexpr (Set::template kHas<Rails>) find_rail_contacts();
@@ -163,8 +168,6 @@ class EulerSolver {
         std::size_t ball;
         Pocket pocket;
     };
-
-    static constexpr double kForever = std::numeric_limits<double>::infinity();
 
     const Set& set_;
     ShotRun& run_;
