@@ -1,4 +1,4 @@
-"""The documents agree with the project: links lead somewhere, and README's keys are the client's."""
+"""The documents agree with the project: links lead somewhere, and README's table of keys is the client's help."""
 
 import re
 import unittest
@@ -31,7 +31,25 @@ def broken_links(document):
             yield f"{document.relative_to(ROOT)}: {link} has no such heading"
 
 
+def keys_of_the_client():
+    """The pairs {"key", "what it does"} of the help, in order; adjacent literals are joined as the compiler does."""
+    text = re.sub(r'"\s*\n\s*"', "", (ROOT / "client/desktop/view/help_text.hpp").read_text())
+    return re.findall(r'\{\s*"([^"]+)"\s*,\s*"([^"]+)"\s*\}', text)
+
+
+def keys_of_the_readme():
+    """The rows of the table between <!-- keys --> and <!-- /keys --> below its heading, without marks of style."""
+    text = (ROOT / "README.md").read_text()
+    table = text.partition("<!-- keys -->")[2].partition("<!-- /keys -->")[0]
+    plain = re.sub(r"`|</?kbd>", "", table)
+    return re.findall(r"^\| *(.+?) *\| *(.+?) *\|$", plain, re.MULTILINE)[2:]
+
+
 class DocumentsTest(unittest.TestCase):
+    def test_the_keys_in_the_readme_are_those_of_the_help(self):
+        self.assertTrue(keys_of_the_client())
+        self.assertEqual(keys_of_the_client(), keys_of_the_readme())
+
     def test_every_relative_link_leads_somewhere(self):
         self.assertEqual([], [fault for document in documents() for fault in broken_links(document)])
 
