@@ -1,0 +1,207 @@
+#include "protocol/codec.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace poolhall::protocol {
+namespace {
+
+/// Expects a refusal for a reason, in JSON and, where JSON can be put into CBOR, there too.
+void expect_refused(const std::string& json, RejectCode code, const std::string& in_reason) {
+    const auto result = decode_client(json, Encoding::kJson);
+    ASSERT_FALSE(result.ok()) << json;
+    EXPECT_EQ(name(result.error().code), name(code)) << json << "\n" << result.error().reason;
+    EXPECT_NE(result.error().reason.find(in_reason), std::string::npos) << result.error().reason;
+
+    const auto tree = nlohmann::json::parse(json, nullptr, false);
+    if (tree.is_discarded() || code == RejectCode::kMalformed) return;
+    std::string cbor;
+    nlohmann::json::to_cbor(tree, cbor);
+    const auto binary = decode_client(cbor, Encoding::kCbor);
+    ASSERT_FALSE(binary.ok()) << json;
+    EXPECT_EQ(binary.error().code, code) << json;
+}
+
+TEST(DecodeClient, ReadsAMessageWrittenByHand) {
+    const auto result = decode_client(
+        R"( {"seat": 1, "type": "shoot", "direction": [1, -0.5e1], "seq": 12} )", Encoding::kJson);
+    ASSERT_TRUE(result.ok()) << result.error().reason;
+    EXPECT_EQ(*result, (ClientMessage{12, Shoot{Seat{1}, {1, -5}}}));
+}
+
+TEST(DecodeClient, FillsInDefaults) {
+    const auto result =
+        decode_client(R"({"type":"create_match","seq":1,"name":"Ann"})", Encoding::kJson);
+    ASSERT_TRUE(result.ok()) << result.error().reason;
+    EXPECT_EQ(*result, (ClientMessage{1, CreateMatch{"Ann", "end_game", Stream::kStates}}));
+}
+
+TEST(DecodeClient, TakesCodesAsPeopleTypeThem) {
+    for (const char* typed : {"BCDFGH", "bcdfgh", "bcd-fgh", "BCD FGH", " b c d f g h "}) {
+        const std::string json =
+            std::string(R"({"type":"watch_match","seq":1,"name":"","code":")") + typed + R"("})";
+        const auto result = decode_client(json, Encoding::kJson);
+        ASSERT_TRUE(result.ok()) << typed << ": " << result.error().reason;
+        EXPECT_EQ(std::get<WatchMatch>(result->body).code, "BCDFGH");
+    }
+}
+
+TEST(DecodeClient, RefusesWhatIsNoObject) {
+    for (const char* bytes :
+         {"", " ", "{", "nonsense", "[]", "1", "null", "\"ping\"",
+          "{\"type\":\"ping\",\"seq\":1}{}", "{'type':'ping'}", "{\"type\":\"ping\",\"seq\":1,}",
+          "{\"seq\":NaN}", "{\"seq\":1e999}", "{\"type\":\"\xC0\x80\"}", "{\"type\":\"\xFF\"}"}) {
+        expect_refused(bytes, RejectCode::kMalformed, "the message");
+    }
+}
+
+TEST(DecodeClient, RefusesTheSameKeyTwice) {
+    expect_refused(R"({"type":"ping","seq":1,"seq":2})", RejectCode::kMalformed, "seq twice");
+}
+
+TEST(DecodeClient, RefusesDeepNesting) {
+    const std::string bomb(2000, '[');
+    expect_refused(R"({"type":"ping","seq":)" + bomb, RejectCode::kMalformed, "nested too deeply");
+    expect_refused(bomb, RejectCode::kMalformed, "nested too deeply");
+}
+
+TEST(DecodeClient, RefusesLongMessages) {
+    expect_refused(R"({"type":"ping","seq":1})" + std::string(4096, ' '), RejectCode::kMalformed,
+                   "longer than 4096 bytes");
+}
+
+TEST(DecodeClient, RefusesTypes) {
+    expect_refused(R"({"seq":1})", RejectCode::kMissingField, "/type");
+    expect_refused(R"({"type":"fly","seq":1})", RejectCode::kUnknownType, "/type");
+    expect_refused(R"({"type":"welcome","seq":1})", RejectCode::kUnknownType, "/type");
+    expect_refused(R"({"type":5,"seq":1})", RejectCode::kBadField, "/type");
+}
+
+TEST(DecodeClient, RefusesSequenceNumbers) {
+    expect_refused(R"({"type":"ping"})", RejectCode::kMissingField, "/seq");
+    for (const char* seq : {"0", "-1", "4294967296", "1.0", "1.5", "\"1\"", "null", "true", "[1]",
+                            "18446744073709551616"}) {
+        expect_refused(std::string(R"({"type":"ping","seq":)") + seq + "}", RejectCode::kBadField,
+                       "/seq");
+    }
+}
+
+TEST(DecodeClient, NamesTheSequenceNumberOfWhatItRefuses) {
+    const auto result = decode_client(R"({"type":"take_seat","seq":41})", Encoding::kJson);
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().seq, 41U);
+    EXPECT_EQ(result.error().reason, "field /seat is missing");
+}
+
+TEST(DecodeClient, RefusesMissingFields) {
+    expect_refused(R"({"type":"create_match","seq":1})", RejectCode::kMissingField, "/name");
+    expect_refused(R"({"type":"shoot","seq":1,"seat":0})", RejectCode::kMissingField, "/direction");
+}
+
+TEST(DecodeClient, RefusesUnknownFields) {
+    expect_refused(R"({"type":"ping","seq":1,"extra":0})", RejectCode::kUnknownField, "/extra");
+    expect_refused(R"({"type":"ping","seq":1,"a/b~c":0})", RejectCode::kUnknownField, "/a~1b~0c");
+    expect_refused(R"({"type":"leave","seq":1,"\u001b[2J":0})", RejectCode::kUnknownField, "/?[2J");
+}
+
+TEST(DecodeClient, RefusesSeats) {
+    for (const char* seat : {"2", "-1", "1e0", "256", "\"0\"", "null"}) {
+        expect_refused(std::string(R"({"type":"take_seat","seq":1,"seat":)") + seat + "}",
+                       RejectCode::kBadField, "/seat");
+    }
+}
+
+TEST(DecodeClient, RefusesDirections) {
+    const auto refused = [](const std::string& direction, const std::string& pointer) {
+        for (const char* type : {"aim", "shoot"}) {
+            expect_refused(R"({"seq":1,"seat":0,"type":")" + std::string(type) +
+                               R"(","direction":)" + direction + "}",
+                           RejectCode::kBadField, pointer);
+        }
+    };
+    refused("[0,0]", "/direction must not be zero");
+    refused("[0,-0.0]", "/direction must not be zero");
+    refused("[1]", "/direction must have 2 elements");
+    refused("[1,0,0]", "/direction must have 2 elements");
+    refused("[1,\"0x1p0\"]", "/direction/1 must be a number");
+    refused("[null,1]", "/direction/0 must be a number");
+    refused("[1,1000001]", "/direction/1");
+    refused("[-1e300,0]", "/direction/0");
+    refused("{\"x\":1,\"y\":0}", "/direction must be an array");
+}
+
+TEST(DecodeClient, RefusesNumbersThatAreNotFinite) {
+    for (const double bad :
+         {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+          std::numeric_limits<double>::quiet_NaN()}) {
+        for (const char* field : {"direction", "position"}) {
+            nlohmann::json tree{{"seq", 1}, {"seat", 0}, {field, {bad, 1.0}}};
+            tree["type"] = field == std::string("direction") ? "shoot" : "place_cue_ball";
+            std::string cbor;
+            nlohmann::json::to_cbor(tree, cbor);
+            const auto result = decode_client(cbor, Encoding::kCbor);
+            ASSERT_FALSE(result.ok());
+            EXPECT_EQ(result.error().code, RejectCode::kBadField);
+            EXPECT_EQ(result.error().reason, "field /" + std::string(field) + "/0 must be finite");
+        }
+    }
+}
+
+TEST(DecodeClient, RefusesPositionsFarAway) {
+    expect_refused(R"({"type":"place_cue_ball","seq":1,"seat":0,"position":[1000.5,0]})",
+                   RejectCode::kBadField, "/position/0");
+}
+
+TEST(DecodeClient, RefusesNames) {
+    const auto refused = [](const std::string& name, const std::string& why) {
+        expect_refused(R"({"type":"create_match","seq":1,"name":)" + name + "}",
+                       RejectCode::kBadField, "/name " + why);
+    };
+    refused("7", "must be a string");
+    refused("\"\"", "must not be empty");
+    refused("\"   \"", "must not be empty");
+    refused("\"\\u200b\"", "must not be empty");
+    refused('"' + std::string(33, 'x') + '"', "must be at most 32 bytes");
+    refused("\"a\\u0000b\"", "must not have control characters");
+    refused("\"a\\nb\"", "must not have control characters");
+    refused("\"a\\u007f\"", "must not have control characters");
+    refused("\"a\\u0085\"", "must not have control characters");
+    refused("\"a\\u202eb\"", "must not have control characters");
+}
+
+TEST(DecodeClient, RefusesGamesByLength) {
+    expect_refused(R"({"type":"create_match","seq":1,"name":"A","game":""})", RejectCode::kBadField,
+                   "/game");
+    expect_refused(
+        R"({"type":"create_match","seq":1,"name":"A","game":")" + std::string(33, 'x') + "\"}",
+        RejectCode::kBadField, "/game");
+}
+
+TEST(DecodeClient, RefusesStreams) {
+    expect_refused(R"({"type":"create_match","seq":1,"name":"A","stream":"all"})",
+                   RejectCode::kBadField, "/stream must be one of states, shots");
+    expect_refused(R"({"type":"create_match","seq":1,"name":"A","stream":null})",
+                   RejectCode::kBadField, "/stream");
+}
+
+TEST(DecodeClient, RefusesCodes) {
+    for (const char* code : {"", "BCDFG", "BCDFGHJ", "ABCDFG", "BCDFG1", "BCD_FGH", "ÖCDFGH",
+                             "B-C-D-F-G-H------------------"}) {
+        expect_refused(
+            R"({"type":"join_match","seq":1,"name":"A","code":")" + std::string(code) + "\"}",
+            RejectCode::kBadField, "/code");
+    }
+}
+
+TEST(DecodeClient, RefusesTokens) {
+    for (const std::string& token :
+         {std::string(), std::string(31, '0'), std::string(33, '0'), std::string(32, 'A'),
+          std::string(32, 'g'), std::string("../../../../../../../etc/passwd1")}) {
+        expect_refused(R"({"type":"resume","seq":1,"code":"BCDFGH","token":")" + token + "\"}",
+                       RejectCode::kBadField, "/token");
+    }
+}
+
+}  // namespace
+}  // namespace poolhall::protocol

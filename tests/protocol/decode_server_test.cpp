@@ -1,0 +1,186 @@
+#include "protocol/codec.hpp"
+#include "tests/protocol/random_messages.hpp"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+namespace poolhall::protocol {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A random message of a kind, as a tree to spoil.
+template <class Body>
+Json sample(std::uint64_t seed = 1) {
+    testing::Random random(seed);
+    for (const ServerMessage& message : testing::random_server_messages(random)) {
+        if (std::holds_alternative<Body>(message))
+            return Json::parse(encode(message, Encoding::kJson));
+    }
+    return {};
+}
+
+void expect_refused(const Json& tree, RejectCode code, const std::string& reason) {
+    const auto result = decode_server(tree.dump(), Encoding::kJson);
+    ASSERT_FALSE(result.ok()) << tree;
+    EXPECT_EQ(result.error().reason, reason);
+    EXPECT_EQ(name(result.error().code), name(code));
+}
+
+void expect_bad(const Json& tree, const std::string& reason) {
+    expect_refused(tree, RejectCode::kBadField, reason);
+}
+
+/// A rail event that is right.
+Json rail_event() {
+    const Json state{{"r", {0, 0, 0}}, {"v", {1, 0, 0}}, {"w", {0, 0, 0}}};
+    return {{"t", 0.5},
+            {"kind", "ball_rail"},
+            {"balls", {0}},
+            {"rail", "N"},
+            {"before", Json::array({state})},
+            {"after", Json::array({state})}};
+}
+
+Json frame_with(const Json& event) {
+    return {{"type", "frame"},
+            {"shot", 1},
+            {"tick", 1},
+            {"balls", Json::array()},
+            {"events", Json::array({event})}};
+}
+
+TEST(DecodeServer, SkipsUnknownFieldsEverywhere) {
+    Json tree = sample<TableChanged>();
+    const auto expected = decode_server(tree.dump(), Encoding::kJson);
+    ASSERT_TRUE(expected.ok()) << expected.error().reason;
+    tree["later"] = {1, 2, 3};
+    tree["table"]["later"] = nullptr;
+    tree["table"]["seats"][0]["later"] = "x";
+    tree["table"]["scene"]["effects"]["sliding"] = {{"mu", 0.2}};
+    const auto result = decode_server(tree.dump(), Encoding::kJson);
+    ASSERT_TRUE(result.ok()) << result.error().reason;
+    EXPECT_EQ(*result, *expected);
+}
+
+TEST(DecodeServer, RefusesUnknownAndClientMessages) {
+    expect_refused({{"type", "later"}}, RejectCode::kUnknownType,
+                   "field /type is no message that is known here");
+    expect_refused({{"type", "ping"}, {"seq", 1}}, RejectCode::kUnknownType,
+                   "field /type is no message that is known here");
+}
+
+TEST(DecodeServer, ChecksTheScene) {
+    Json tree = sample<TableChanged>();
+    tree["table"]["scene"]["solver"]["hz"] = 1e300;
+    expect_bad(tree, "field /table/scene/solver/hz must be a finite number within its bounds");
+    tree = sample<ShotStarted>();
+    tree["scene"]["balls"][0]["r"] = {100, 0, 0};
+    expect_bad(tree, "field /scene/balls/0/r is off the table");
+    tree = sample<ShotStarted>();
+    tree["scene"].erase("strike");
+    expect_refused(tree, RejectCode::kMissingField, "field /scene/strike is missing");
+}
+
+TEST(DecodeServer, ChecksThatATableAgreesWithItself) {
+    Json tree = sample<TableChanged>();
+    tree["table"]["cue_ball"] = tree["table"]["scene"]["balls"].size();
+    expect_bad(tree, "field /table/cue_ball must be the index of a ball of the scene");
+    tree = sample<TableChanged>();
+    tree["table"]["live"] = {{"shot", 1}, {"tick", 1}, {"balls", Json::array()}};
+    expect_bad(tree, "field /table/live/balls must have one position for each ball of the scene");
+    tree = sample<TableChanged>();
+    tree["table"]["seats"].erase(0);
+    expect_bad(tree, "field /table/seats must have 2 elements");
+    tree = sample<TableChanged>();
+    tree["table"]["phase"] = "resting";
+    expect_bad(tree, "field /table/phase must be one of waiting, aiming, playing, over");
+}
+
+TEST(DecodeServer, ChecksHashes) {
+    for (const char* hash : {"", "0123456789abcde", "0123456789abcdefa", "0123456789ABCDEF",
+                             "0x23456789abcdef", "0123456789abcde "}) {
+        Json tree = sample<ShotStarted>();
+        tree["scene_hash"] = hash;
+        expect_bad(tree, "field /scene_hash must be 16 lower-case hex digits");
+    }
+    Json tree = sample<ShotStarted>();
+    tree["scene_hash"] = 5;
+    expect_bad(tree, "field /scene_hash must be a string");
+}
+
+TEST(DecodeServer, ChecksEvents) {
+    ASSERT_TRUE(decode_server(frame_with(rail_event()).dump(), Encoding::kJson).ok());
+    const auto expect_bad_event = [](const std::function<void(Json&)>& spoil,
+                                     const std::string& reason) {
+        Json event = rail_event();
+        spoil(event);
+        expect_bad(frame_with(event), "field /events/0" + reason);
+    };
+    expect_bad_event([](Json& e) { e["t"] = -1; },
+                     "/t must be from 0.0 to 1.7976931348623157e+308");
+    expect_bad_event(
+        [](Json& e) { e["kind"] = "boom"; },
+        "/kind must be one of strike, roll_to_rest, ball_ball, ball_rail, ball_pocket");
+    expect_bad_event([](Json& e) { e["balls"] = {1024}; }, "/balls/0 must be from 0 to 1023");
+    expect_bad_event(
+        [](Json& e) {
+            e["balls"] = {0, 1};
+        },
+        "/balls must have one index for each ball of its kind");
+    expect_bad_event([](Json& e) { e["balls"] = {0, 1, 2}; }, "/balls must have 0 to 2 elements");
+    expect_bad_event([](Json& e) { e["before"] = Json::array(); },
+                     "/before must have one state for each ball");
+    expect_bad_event([](Json& e) { e["after"].push_back(e["after"][0]); },
+                     "/after must have one state for each ball");
+    expect_bad_event([](Json& e) { e.erase("rail"); },
+                     "/rail must be there for ball_rail and for nothing else");
+    expect_bad_event([](Json& e) { e["pocket"] = "NE"; },
+                     "/pocket must be there for ball_pocket and for nothing else");
+    expect_bad_event(
+        [](Json& e) {
+            e["after"][0]["v"] = {1, 2};
+        },
+        "/after/0/v must have 3 elements");
+}
+
+TEST(DecodeServer, ChecksFrames) {
+    Json tree{{"type", "frame"},
+              {"shot", 1},
+              {"tick", 1},
+              {"balls", {{0, 1e9, 0}}},
+              {"events", Json::array()}};
+    expect_bad(tree, "field /balls/0/1 must be from -1000.0 to 1000.0");
+    tree["balls"] = {{-1, 0, 0}};
+    expect_bad(tree, "field /balls/0/0 must be from 0 to 1023");
+    tree["balls"] = {{0, 0}};
+    expect_bad(tree, "field /balls/0 must have 3 elements");
+}
+
+TEST(DecodeServer, ChecksFinalBalls) {
+    Json tree = sample<ShotEnded>();
+    const Json state{{"r", {0, 0, 0}}, {"v", {1, 0, 0}}, {"w", {0, 0, 0}}};
+    Json ball{{"motion", "pocketed"}};
+    ball.update(state);
+    tree["balls"] = Json::array({ball});
+    expect_bad(tree, "field /balls/0/pocket must be there for a pocketed ball and for no other");
+}
+
+TEST(DecodeServer, RefusesLongMessages) {
+    const std::string bytes = R"({"type":"pong","seq":1})" + std::string(1U << 20U, ' ');
+    EXPECT_FALSE(decode_server(bytes, Encoding::kJson).ok());
+}
+
+TEST(Names, OfCodesAreAllDifferent) {
+    std::set<std::string_view> names;
+    for (int i = 0; i <= static_cast<int>(RejectCode::kStorage); ++i)
+        names.insert(name(static_cast<RejectCode>(i)));
+    EXPECT_EQ(names.size(), static_cast<std::size_t>(RejectCode::kStorage) + 1);
+    EXPECT_FALSE(names.contains(""));
+}
+
+}  // namespace
+}  // namespace poolhall::protocol

@@ -1,0 +1,260 @@
+#include "tests/protocol/random_messages.hpp"
+
+#include "protocol/limits.hpp"
+#include "protocol/wire/enums.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace poolhall::protocol::testing {
+namespace {
+
+template <class E>
+E any_of(Random& random) {
+    return static_cast<E>(random.below(static_cast<std::size_t>(wire::kLast<E>) + 1));
+}
+
+std::uint32_t number(Random& random) {
+    return static_cast<std::uint32_t>(random.word() >> (32 + random.below(32)));
+}
+
+Seat seat(Random& random) {
+    return Seat{static_cast<std::uint8_t>(random.below(kSeatCount))};
+}
+
+/// Player names of several scripts, with what must be escaped in JSON.
+std::string person(Random& random) {
+    static constexpr std::array<std::string_view, 6> kNames{"Ann",     "Jürgen Ö.", "李小龍",
+                                                            "a\"b\\c", "🎱 shark",   "  x"};
+    return std::string(kNames[random.below(kNames.size())]);
+}
+
+std::string sentence(Random& random) {
+    return "reason " + std::to_string(random.word()) + " of " + person(random) + "\n";
+}
+
+std::string from_alphabet(Random& random, std::string_view alphabet, std::size_t length) {
+    std::string text;
+    for (std::size_t i = 0; i < length; ++i)
+        text += alphabet[random.below(alphabet.size())];
+    return text;
+}
+
+std::string code(Random& random) {
+    return from_alphabet(random, kCodeAlphabet, kCodeLetters);
+}
+
+std::string token(Random& random) {
+    return from_alphabet(random, "0123456789abcdef", kTokenHexDigits);
+}
+
+Vec2 vec2(Random& random, double limit) {
+    return {random.real(limit), random.real(limit)};
+}
+
+Vec3 vec3(Random& random, double limit) {
+    return {random.real(limit), random.real(limit), random.real(limit)};
+}
+
+/// Not zero but for a chance that never comes.
+Vec2 direction(Random& random) {
+    return vec2(random, kMaxDirectionComponent);
+}
+
+BallState state(Random& random) {
+    return {vec3(random, 2), vec3(random, 30), vec3(random, 500)};
+}
+
+Ruling ruling(Random& random) {
+    Ruling result{any_of<Verdict>(random), seat(random), seat(random), {}, random.real(1) + 1};
+    if (random.coin()) result.winner = seat(random);
+    return result;
+}
+
+SeatInfo seat_info(Random& random) {
+    if (random.coin()) return {};
+    return {true, random.coin(), person(random), random.coin(), number(random)};
+}
+
+TableState table(Random& random) {
+    TableState result;
+    result.match = "m" + std::to_string(random.word());
+    result.code = code(random);
+    result.game = "end_game";
+    result.phase = any_of<Phase>(random);
+    result.game_number = number(random);
+    result.shot = number(random);
+    result.turn = seat(random);
+    result.may_place = random.coin();
+    result.seats = {seat_info(random), seat_info(random)};
+    result.spectators = number(random);
+    result.aim = direction(random);
+    result.scene = random_scene(random, false);
+    const std::size_t balls = result.scene.balls.size();
+    result.cue_ball = BallIndex{static_cast<std::uint16_t>(random.below(balls))};
+    if (random.coin()) result.ruling = ruling(random);
+    if (result.phase == Phase::kPlaying) {
+        result.live = LiveShot{result.shot, number(random), std::vector<Vec2>(balls)};
+        for (Vec2& r : result.live->balls)
+            r = vec2(random, 2);
+    }
+    return result;
+}
+
+BallIndex ball_index(Random& random) {
+    return BallIndex{static_cast<std::uint16_t>(random.below(kMaxBalls))};
+}
+
+ShotEvent event(Random& random) {
+    ShotEvent result;
+    result.t = random.real(10) + 10;
+    result.kind = any_of<EventKind>(random);
+    result.ball_count = result.kind == EventKind::kBallBall ? 2 : 1;
+    if (result.kind == EventKind::kBallRail) result.rail = any_of<Rail>(random);
+    if (result.kind == EventKind::kBallPocket) result.pocket = any_of<Pocket>(random);
+    for (std::size_t i = 0; i < result.ball_count; ++i) {
+        result.balls[i] = ball_index(random);
+        result.before[i] = state(random);
+        result.after[i] = state(random);
+    }
+    return result;
+}
+
+FinalBall final_ball(Random& random) {
+    FinalBall result{any_of<Motion>(random), {}, state(random)};
+    if (result.motion == Motion::kPocketed) result.pocket = any_of<Pocket>(random);
+    return result;
+}
+
+/// A position that neither rounding to 10 um nor single precision changes: a multiple of 1/32 m.
+Vec2 display_position(Random& random) {
+    const auto coordinate = [&] { return (static_cast<double>(random.below(129)) - 64) / 32; };
+    const double x = coordinate();
+    return {x, coordinate()};
+}
+
+Frame frame(Random& random) {
+    Frame result{number(random), number(random), {}, {}};
+    for (std::size_t i = random.below(4); i > 0; --i)
+        result.balls.push_back({ball_index(random), display_position(random)});
+    for (std::size_t i = random.below(4); i > 0; --i)
+        result.events.push_back(event(random));
+    return result;
+}
+
+Joined joined(Random& random) {
+    Joined result{number(random) | 1U, {}, {}, table(random)};
+    if (random.coin()) {
+        result.token = token(random);
+        result.seats = {seat(random)};
+    }
+    return result;
+}
+
+ShotStarted shot_started(Random& random) {
+    ShotStarted result{number(random), seat(random), random_scene(random, true), random.word(), {}};
+    if (random.coin()) result.final_hash = random.word();
+    return result;
+}
+
+ShotEnded shot_ended(Random& random) {
+    ShotEnded result;
+    result.shot = number(random);
+    result.ticks = number(random);
+    result.duration = random.real(10) + 10;
+    result.outcome = any_of<Outcome>(random);
+    result.kernel = "drag";
+    result.solver = any_of<SolverKind>(random);
+    for (std::size_t i = random.below(4); i > 0; --i)
+        result.balls.push_back(final_ball(random));
+    result.hash = random.word();
+    result.ruling = ruling(random);
+    result.table = table(random);
+    return result;
+}
+
+}  // namespace
+
+std::uint64_t Random::word() {
+    state_ += 0x9E3779B97F4A7C15ULL;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+    return z ^ (z >> 31U);
+}
+
+std::size_t Random::below(std::size_t bound) {
+    return static_cast<std::size_t>(word() % bound);
+}
+
+double Random::real(double limit) {
+    const double unit = static_cast<double>(word() >> 11U) * 0x1p-53;
+    return (2 * unit - 1) * limit;
+}
+
+Scene random_scene(Random& random, bool with_strike) {
+    Scene scene;
+    scene.id = random.coin() ? "" : person(random);
+    scene.table = {4 + random.real(1), 3 + random.real(1), true, any_of<PocketModel>(random)};
+    scene.ball = {0.03 + random.real(0.01), 0.2 + random.real(0.1)};
+    scene.gravity = 9.81 + random.real(0.1);
+    if (random.coin())
+        scene.effects.linear_drag = LinearDragSpec{random.real(0.5) + 0.5, random.real(0.1) + 0.1};
+    scene.effects.rail = {any_of<RailModel>(random), random.real(0.5) + 0.5};
+    scene.solver = {any_of<SolverKind>(random), 30 + 10 * static_cast<double>(random.below(10))};
+    scene.limits = {random.real(300) + 301, 1 + number(random) % 100000};
+    const std::size_t count = 1 + random.below(6);
+    for (std::size_t i = 0; i < count; ++i) {
+        SceneBall ball{i == 0 ? "cue" : std::to_string(i), state(random)};
+        // Cells 0.3 m apart keep the balls on the table and from overlapping.
+        const double cell = 0.3 * static_cast<double>(i);
+        ball.state.r = {cell - 0.75 + random.real(0.1), random.real(0.8), 0};
+        scene.balls.push_back(ball);
+    }
+    if (with_strike) {
+        scene.strike = Strike{BallIndex{static_cast<std::uint16_t>(random.below(count))},
+                              direction(random), random.real(15) + 15};
+    }
+    return scene;
+}
+
+std::vector<ClientMessage> random_client_messages(Random& random) {
+    const auto stream = [&] { return any_of<Stream>(random); };
+    const std::vector<ClientBody> bodies{
+        CreateMatch{person(random), "end_game", stream()},
+        JoinMatch{code(random), person(random), stream()},
+        WatchMatch{code(random), random.coin() ? "" : person(random), stream()},
+        Resume{code(random), token(random), stream()},
+        TakeSeat{seat(random)},
+        LeaveSeat{seat(random)},
+        Aim{seat(random), direction(random)},
+        PlaceCueBall{seat(random), vec2(random, kMaxPositionComponent)},
+        Shoot{seat(random), direction(random)},
+        Rematch{seat(random)},
+        Leave{},
+        Ping{},
+    };
+    std::vector<ClientMessage> messages;
+    for (const ClientBody& body : bodies)
+        messages.push_back({number(random) | 1U, body});
+    return messages;
+}
+
+std::vector<ServerMessage> random_server_messages(Random& random) {
+    return {
+        Welcome{"poolhall 0.1.0", 1},
+        Accepted{number(random) | 1U},
+        Reject{number(random), any_of<RejectCode>(random), sentence(random)},
+        joined(random),
+        TableChanged{table(random)},
+        AimChanged{seat(random), direction(random), vec2(random, 2)},
+        shot_started(random),
+        frame(random),
+        shot_ended(random),
+        Pong{number(random) | 1U},
+        Closing{sentence(random)},
+    };
+}
+
+}  // namespace poolhall::protocol::testing
