@@ -60,6 +60,15 @@ constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
     return quick_two_sum(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
+/// Long division, three digits of 53 bits.
+constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
+    const double first = a.hi / b.hi;
+    const DoubleDouble rest = a - b * DoubleDouble{first};
+    const double second = rest.hi / b.hi;
+    const double third = (rest - b * DoubleDouble{second}).hi / b.hi;
+    return quick_two_sum(first, second) + DoubleDouble{third};
+}
+
 /// Square root of a number that is not negative: one Newton step on the double's root.
 inline DoubleDouble sqrt(DoubleDouble a) {
     if (a.hi <= 0) return {};

@@ -1,10 +1,11 @@
 #include "shared/physics/contact.hpp"
 
+#include "shared/math/double_double.hpp"
 #include "shared/physics/effects/ball_ball.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 
 namespace poolhall {
 
@@ -12,7 +13,8 @@ namespace {
 
 /// A group settles in a few rounds; elastic ones at most in as many as there are orders of impacts.
 constexpr int kMaxRounds = 1000;
-/// Pivots smaller than this (of entries of size 2) mean that a contact is redundant.
+/// Pivots smaller than this (of entries of size 2) mean that a contact is redundant; speeds within
+/// this share of the group's are rounding.
 constexpr double kSingular = 1e-12;
 
 Vec2 normal_of(const Contact& contact, const std::vector<MovingBall>& balls) {
@@ -37,56 +39,90 @@ void reflect(const Contact& contact, double e, MovingBall& ball) {
     v = -e * v;
 }
 
-/// Solves the principal system G x = -q of the chosen contacts by elimination; redundant rows get
-/// 0.
-std::vector<double> solve_chosen(const std::vector<std::vector<double>>& g,
-                                 const std::vector<double>& q,
-                                 const std::vector<std::size_t>& chosen) {
-    const std::size_t n = chosen.size();
-    std::vector<std::vector<double>> rows(n, std::vector<double>(n + 1));
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j)
-            rows[i][j] = g[chosen[i]][chosen[j]];
-        rows[i][n] = -q[chosen[i]];
+using Row = std::vector<DoubleDouble>;
+
+/// The linear complementarity problem of a group: 0 <= x, 0 <= G x + q, and at each contact one of
+/// the two is 0.
+struct GroupProblem {
+    std::vector<Vec2> normals;
+    std::vector<Row> g;
+    Row q;
+    double largest_q = 0;
+};
+
+GroupProblem problem_of(std::span<const Contact> contacts, const std::vector<MovingBall>& balls) {
+    const std::size_t n = contacts.size();
+    GroupProblem problem;
+    for (const Contact& contact : contacts) {
+        const Vec2 normal = normal_of(contact, balls);
+        const double q = opening(contact, normal, balls);
+        problem.normals.push_back(normal);
+        problem.q.push_back({q});
+        problem.largest_q = std::max(problem.largest_q, std::abs(q));
     }
-    // G is positive semidefinite: its diagonal serves as pivots.
+    problem.g.assign(n, Row(n));
     for (std::size_t i = 0; i < n; ++i) {
-        if (rows[i][i] < kSingular) continue;
-        for (std::size_t k = 0; k < n; ++k) {
-            if (k == i) continue;
-            const double factor = rows[k][i] / rows[i][i];
-            for (std::size_t j = i; j <= n; ++j)
-                rows[k][j] -= factor * rows[i][j];
+        for (std::size_t j = 0; j < n; ++j) {
+            double shared = -direction_on(contacts[j], contacts[i].a);
+            if (contacts[i].kind == Contact::Kind::kBalls)
+                shared += direction_on(contacts[j], contacts[i].b);
+            problem.g[i][j] = {shared * dot(problem.normals[i], problem.normals[j])};
         }
     }
-    std::vector<double> x(n);
-    for (std::size_t i = 0; i < n; ++i)
-        x[i] = rows[i][i] < kSingular ? 0 : rows[i][n] / rows[i][i];
+    return problem;
+}
+
+/// Solves the principal system G x = -q of the chosen contacts by elimination; redundant rows get
+/// 0. G is positive semidefinite: its diagonal serves as pivots.
+Row solve_chosen(const GroupProblem& problem, const std::vector<std::size_t>& chosen) {
+    const std::size_t n = chosen.size();
+    std::vector<Row> rows(n, Row(n + 1));
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j)
+            rows[i][j] = problem.g[chosen[i]][chosen[j]];
+        rows[i][n] = -problem.q[chosen[i]];
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        if (rows[i][i].hi < kSingular) continue;
+        for (std::size_t k = 0; k < n; ++k) {
+            if (k == i) continue;
+            const DoubleDouble factor = rows[k][i] / rows[i][i];
+            for (std::size_t j = i; j <= n; ++j)
+                rows[k][j] = rows[k][j] - factor * rows[i][j];
+        }
+    }
+    Row x(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (rows[i][i].hi >= kSingular) x[i] = rows[i][n] / rows[i][i];
+    }
     return x;
 }
 
-/// 0 <= x, 0 <= G x + q, complementary; by Murty's least-index pivoting, which ends for such G.
-std::vector<double> solve_complementarity(const std::vector<std::vector<double>>& g,
-                                          const std::vector<double>& q) {
-    const std::size_t n = q.size();
+/// Whether contact i breaks its condition: an impulse that pulls, or a gap that still closes.
+bool violates(const GroupProblem& problem, const Row& x, std::size_t i, bool in_basis) {
+    if (in_basis) return x[i].hi < 0;
+    DoubleDouble rate = problem.q[i];
+    for (std::size_t j = 0; j < x.size(); ++j)
+        rate = rate + problem.g[i][j] * x[j];
+    return rate.hi < -kSingular * problem.largest_q;
+}
+
+/// The impulses, by Murty's least-index pivoting.
+Row solve(const GroupProblem& problem) {
+    const std::size_t n = problem.q.size();
     std::vector<bool> in_basis(n, true);
-    std::vector<double> x(n);
+    Row x(n);
     for (int round = 0; round < kMaxRounds; ++round) {
         std::vector<std::size_t> chosen;
         for (std::size_t i = 0; i < n; ++i) {
             if (in_basis[i]) chosen.push_back(i);
         }
-        const std::vector<double> part = solve_chosen(g, q, chosen);
-        std::fill(x.begin(), x.end(), 0.0);
+        const Row part = solve_chosen(problem, chosen);
+        std::fill(x.begin(), x.end(), DoubleDouble{});
         for (std::size_t i = 0; i < chosen.size(); ++i)
             x[chosen[i]] = part[i];
-        const auto violates = [&](std::size_t i) {
-            if (in_basis[i]) return x[i] < 0;
-            return std::inner_product(x.begin(), x.end(), g[i].begin(), q[i]) <
-                   -kSingular * std::abs(q[i]);
-        };
         std::size_t wrong = 0;
-        while (wrong < n && !violates(wrong))
+        while (wrong < n && !violates(problem, x, wrong, in_basis[wrong]))
             ++wrong;
         if (wrong == n) break;
         in_basis[wrong] = !in_basis[wrong];
@@ -94,33 +130,35 @@ std::vector<double> solve_complementarity(const std::vector<std::vector<double>>
     return x;
 }
 
-/// One round of generalized reflections over the given contacts, all of which approach.
+void add(Vec2DoubleDouble& sum, DoubleDouble factor, Vec2 v) {
+    sum.x = sum.x + factor * DoubleDouble{v.x};
+    sum.y = sum.y + factor * DoubleDouble{v.y};
+}
+
+/// One round of generalized reflections over the given contacts, all of which approach. Impulses
+/// and their sums are taken in double-double and rounded once, so that the order of the contacts
+/// leaves no trace in the velocities.
 void reflect_together(std::span<const Contact> contacts, double e_rail,
                       std::vector<MovingBall>& balls) {
-    const std::size_t n = contacts.size();
-    std::vector<Vec2> normals(n);
-    std::vector<double> q(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        normals[i] = normal_of(contacts[i], balls);
-        q[i] = opening(contacts[i], normals[i], balls);
-    }
-    std::vector<std::vector<double>> g(n, std::vector<double>(n));
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            double shared =
-                direction_on(contacts[i], contacts[i].a) * direction_on(contacts[j], contacts[i].a);
-            if (contacts[i].kind == Contact::Kind::kBalls)
-                shared += direction_on(contacts[j], contacts[i].b);
-            g[i][j] = shared * dot(normals[i], normals[j]);
-        }
-    }
-    const std::vector<double> impulse = solve_complementarity(g, q);
-    for (std::size_t i = 0; i < n; ++i) {
+    const GroupProblem problem = problem_of(contacts, balls);
+    const Row impulse = solve(problem);
+    std::vector<Vec2DoubleDouble> change(balls.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
         const bool rail = contacts[i].kind == Contact::Kind::kRail;
-        const Vec2 change = ((1 + (rail ? e_rail : 1)) * impulse[i]) * normals[i];
-        balls[contacts[i].a].v = balls[contacts[i].a].v - change;
-        if (!rail) balls[contacts[i].b].v = balls[contacts[i].b].v + change;
+        const DoubleDouble size = DoubleDouble{1 + (rail ? e_rail : 1)} * impulse[i];
+        add(change[contacts[i].a], -size, problem.normals[i]);
+        if (!rail) add(change[contacts[i].b], size, problem.normals[i]);
     }
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        balls[i].v.x = value(DoubleDouble{balls[i].v.x} + change[i].x);
+        balls[i].v.y = value(DoubleDouble{balls[i].v.y} + change[i].y);
+    }
+}
+
+bool still_closes(const Contact& contact, const std::vector<MovingBall>& balls) {
+    double speed = norm(balls[contact.a].v);
+    if (contact.kind == Contact::Kind::kBalls) speed += norm(balls[contact.b].v);
+    return opening(contact, normal_of(contact, balls), balls) < -kSingular * speed;
 }
 
 bool share_a_ball(const Contact& c, const Contact& d) {
@@ -173,12 +211,7 @@ bool resolve(std::span<const Contact> contacts, double e_rail, std::vector<Movin
         reflect_together(approaching, e_rail, balls);
         approaching.clear();
         std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(approaching),
-                     [&](const Contact& contact) {
-                         const double scale =
-                             std::abs(balls[contact.a].v.x) + std::abs(balls[contact.a].v.y);
-                         return opening(contact, normal_of(contact, balls), balls) <
-                                -kSingular * scale;
-                     });
+                     [&](const Contact& contact) { return still_closes(contact, balls); });
     }
     return false;
 }

@@ -95,10 +95,11 @@ MaybeError check_ball(const Scene& scene, std::size_t i) {
     const double touching = 2 * scene.ball.radius - kTouchTolerance;
     for (std::size_t j = 0; j < i; ++j) {
         const Vec2 gap = xy(ball.state.r) - xy(scene.balls[j].state.r);
-        const std::string other = "/balls/" + std::to_string(j);
         if (ball.id == scene.balls[j].id)
-            return SceneError{pointer + "/id", "is the same as " + other + "/id"};
-        if (norm(gap) < touching) return SceneError{pointer + "/r", "overlaps " + other};
+            return SceneError{pointer + "/id",
+                              "is the same as /balls/" + std::to_string(j) + "/id"};
+        if (norm(gap) < touching)
+            return SceneError{pointer + "/r", "overlaps /balls/" + std::to_string(j)};
     }
     return std::nullopt;
 }

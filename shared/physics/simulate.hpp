@@ -3,6 +3,9 @@
 #include "shared/physics/scene.hpp"
 #include "shared/physics/trace.hpp"
 
+#include <span>
+#include <string_view>
+
 namespace poolhall {
 
 /// Rate at which shots are shown and broadcast, 1/s.
@@ -15,5 +18,14 @@ inline constexpr double kPlayoutHz = 30;
 void simulate(const Scene& scene, double sample_hz, ShotTrace& trace);
 
 [[nodiscard]] ShotTrace simulate(const Scene& scene, double sample_hz = 0);
+
+/// The kernels (sets of effects compiled together), cheapest first. simulate() takes the first that
+/// covers the scene; all that do give the same trace but for its `kernel`.
+[[nodiscard]] std::span<const std::string_view> kernel_names();
+
+/// simulate() by the kernel of that name. False, and the trace untouched, if there is none or it
+/// does not cover the scene.
+[[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, double sample_hz,
+                               ShotTrace& trace);
 
 }  // namespace poolhall

@@ -2,8 +2,8 @@
 
 #include "shared/math/double_double.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace poolhall {
 
@@ -15,33 +15,50 @@ constexpr double kTinySpeed = 0x1p-300;
 constexpr double kScale = 0x1p600;
 
 /// Below this share of c.c, C = c.c - d^2 has lost too many digits.
-constexpr double kNear = 0x1p-6;
+constexpr double kNear = 0x1p-3;
 /// Bound of the relative rounding error of q, generously: four operations each side.
 constexpr double kRounding = 0x1p-50;
 /// |q| within this share of its terms is an exact graze: what double-double leaves of zero. One ulp
 /// of offset is 2^-52.
-constexpr double kExactGraze = 0x1p-100;
+constexpr double kExactGraze = 0x1p-98;
 /// Relative error that the fast path may leave in t.
 constexpr double kAllowed = 0x1p-50;
 
 double abs_max(Vec2 a) {
-    const double x = std::abs(a.x);
-    const double y = std::abs(a.y);
-    return x > y ? x : y;
+    return std::max(std::abs(a.x), std::abs(a.y));
 }
 
-std::optional<double> precise_time(const Vec2DoubleDouble& c, const Vec2DoubleDouble& v,
+/// The terms of the quadratic A t^2 - 2 B t + C = 0 in double-double, from unrounded differences.
+struct PreciseTerms {
+    PreciseTerms(const UniformMotion& a, const UniformMotion& b, double distance)
+        : c(exact_difference(b.r, a.r)), v(exact_difference(b.v, a.v)) {
+        const DoubleDouble distance_squared = two_product(distance, distance);
+        gap = dot(c, c) - distance_squared;
+        approach = -dot(c, v);
+        const DoubleDouble left = c.x * v.y;
+        const DoubleDouble right = c.y * v.x;
+        const DoubleDouble area = left - right;
+        const DoubleDouble reach = dot(v, v) * distance_squared;
+        q = reach - area * area;
+        q_error =
+            kExactGraze * (reach.hi + std::abs(area.hi) * (std::abs(left.hi) + std::abs(right.hi)));
+    }
+
+    Vec2DoubleDouble c;
+    Vec2DoubleDouble v;
+    DoubleDouble gap;       ///< C
+    DoubleDouble approach;  ///< B
+    DoubleDouble q;
+    double q_error;  ///< bound of the rounding error of q
+};
+
+std::optional<double> precise_time(const UniformMotion& a, const UniformMotion& b,
                                    double distance) {
-    const DoubleDouble b = -dot(c, v);
-    if (b.hi <= 0) return std::nullopt;
-    const DoubleDouble distance_squared = two_product(distance, distance);
-    const DoubleDouble gap = dot(c, c) - distance_squared;
-    if (gap.hi <= 0) return 0;
-    const DoubleDouble area = cross(c, v);
-    const DoubleDouble reach = dot(v, v) * distance_squared;
-    const DoubleDouble q = reach - area * area;
-    if (q.hi < -kExactGraze * reach.hi) return std::nullopt;
-    return value(gap) / value(b + sqrt(q));
+    const PreciseTerms terms(a, b, distance);
+    if (terms.approach.hi <= 0) return std::nullopt;
+    if (terms.gap.hi <= 0) return 0;
+    if (terms.q.hi < -terms.q_error) return std::nullopt;
+    return value(terms.gap) / value(terms.approach + sqrt(terms.q));
 }
 
 /// The scaled problem: no intermediate result over- or underflows.
@@ -66,30 +83,34 @@ std::optional<double> scaled_time(const UniformMotion& a, const UniformMotion& b
             if (q_error <= kAllowed * root * denominator) return gap / denominator;
         }
     }
-    return precise_time(exact_difference(b.r, a.r), exact_difference(b.v, a.v), distance);
+    return precise_time(a, b, distance);
+}
+
+/// The power of two that brings the speeds to where no product over- or underflows.
+double speed_scale(Vec2 v_a, Vec2 v_b) {
+    const double speed = std::max(abs_max(v_a), abs_max(v_b));
+    if (speed > kHugeSpeed) return 1 / kScale;
+    return speed < kTinySpeed ? kScale : 1;
 }
 
 }  // namespace
 
 std::optional<double> time_of_impact(const UniformMotion& a, const UniformMotion& b,
                                      double distance) {
-    const double speed = abs_max(a.v) > abs_max(b.v) ? abs_max(a.v) : abs_max(b.v);
-    if (speed == 0) return std::nullopt;
-    if (speed <= kHugeSpeed && speed >= kTinySpeed) return scaled_time(a, b, distance);
-    const double scale = speed > kHugeSpeed ? 1 / kScale : kScale;
+    const double scale = speed_scale(a.v, b.v);
+    if (scale == 1) return scaled_time(a, b, distance);
     const std::optional<double> t = scaled_time({a.r, scale * a.v}, {b.r, scale * b.v}, distance);
     if (!t) return std::nullopt;
     return *t * scale;
 }
 
 double time_since_impact(const UniformMotion& a, const UniformMotion& b, double distance) {
-    const Vec2 c = a.r - b.r;
-    const Vec2 v = b.v - a.v;
-    const Vec2 along = normalized(v);
-    const double aside = cross(along, c);
-    // (d - aside)(d + aside) rather than d^2 - aside^2: no cancellation of squares near grazing.
-    const double half_chord = std::sqrt((distance - aside) * (distance + aside));
-    return (half_chord - dot(along, c)) / norm(v);
+    const double scale = speed_scale(a.v, b.v);
+    const PreciseTerms terms({a.r, scale * a.v}, {b.r, scale * b.v}, distance);
+    const DoubleDouble root = sqrt(terms.q);
+    // Of the two ways to write the root of the quadratic, the one that adds.
+    if (terms.approach.hi > 0) return -value(terms.gap) / value(terms.approach + root) * scale;
+    return value(root - terms.approach) / value(dot(terms.v, terms.v)) * scale;
 }
 
 }  // namespace poolhall

@@ -19,14 +19,15 @@ struct UniformMotion {
 /// With c = b.r - a.r, v = b.v - a.v, A = v.v, B = -c.v, C = c.c - d^2: t = C / (B + sqrt q), q = A
 /// d^2 - (c x v)^2. The textbook's q = B^2 - A C is the same number, but cancels near grazing
 /// (HARD_CASES: wrong verdicts at 1e-7 rad). Where rounding could still matter the four terms are
-/// taken in double-double from the unrounded differences. Relative error of t about 1e-15; verdicts
-/// right to the last bit. Any finite input is allowed.
+/// taken in double-double from the unrounded differences. Relative error of t below 1e-14; verdicts
+/// right to the last bit. Places and `distance` up to 1e30 m, any finite velocity.
 [[nodiscard]] std::optional<double> time_of_impact(const UniformMotion& a, const UniformMotion& b,
                                                    double distance);
 
 /// How long ago (s) two overlapping centres that have moved uniformly were `distance` (m) apart:
-/// the correction of the text's 5.2.1, (-v^.c + sqrt(d^2 - (v^ x c)^2)) / |v| with c from b to a.
-/// Their relative velocity must not be zero.
+/// the larger root of A t^2 + 2 B t + C = 0 with the terms above, (sqrt q - B) / A or, where B > 0,
+/// -C / (B + sqrt q). It is the correction of the text's 5.2.1, whose form cancels for a ball that
+/// has just come in. Their relative velocity must not be zero.
 [[nodiscard]] double time_since_impact(const UniformMotion& a, const UniformMotion& b,
                                        double distance);
 

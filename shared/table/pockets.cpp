@@ -44,6 +44,8 @@ std::optional<Pocket> EndGamePocketMap::at(Vec2 r) const {
 }
 
 std::optional<Capture> EndGamePocketMap::first_capture(Vec2 r, Vec2 v, double time) const {
+    // Most ticks pass far from the long rails.
+    if (std::abs(r.y) + std::abs(v.y) * time < near_rail_y_) return std::nullopt;
     std::optional<Capture> first;
     for (const bool north : {true, false}) {
         const double y_sign = north ? 1 : -1;

@@ -10,6 +10,9 @@
 
 namespace poolhall {
 
+/// Every effect that there is. A new one is one file, one line here, and a kernel with it below.
+using AllEffects = std::tuple<LinearDrag, Rails, EndGamePockets>;
+
 /// A set of effects chosen at compile time. An effect is a class that is made from a Scene, says
 /// `called_for(scene)`, and has the hooks that the solvers ask for with `if constexpr
 /// (Set::template kHas<Effect>)`; one that is not in the set leaves no instruction behind.
@@ -28,12 +31,15 @@ class EffectSet {
 
     /// True if every effect that the scene calls for is in the set.
     [[nodiscard]] static bool covers(const Scene& scene) {
-        return (kHas<LinearDrag> || !LinearDrag::called_for(scene)) &&
-               (kHas<Rails> || !Rails::called_for(scene)) &&
-               (kHas<EndGamePockets> || !EndGamePockets::called_for(scene));
+        return covers(scene, std::type_identity<AllEffects>{});
     }
 
   private:
+    template <class... Any>
+    static bool covers(const Scene& scene, std::type_identity<std::tuple<Any...>>) {
+        return ((kHas<Any> || !Any::called_for(scene)) && ...);
+    }
+
     std::tuple<Effect...> effects_;
 };
 

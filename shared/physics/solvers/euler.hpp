@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -42,9 +43,10 @@ class EulerSolver {
         double passed = 0;
         for (int round = 0; round < kMaxContactsPerTick; ++round) {
             if (run_.event_limit_reached()) return Outcome::kEventLimit;
-            const double next = next_instant(dt - passed);
-            if (next > dt - passed) {
-                advance(begin + passed, end, dt - passed);
+            const double rest = std::max(dt - passed, 0.0);
+            const double next = next_instant(rest);
+            if (next > rest) {
+                advance(begin + passed, end, rest);
                 if constexpr (Set::template kHas<LinearDrag>) {
                     slow_down(run_, set_.template effect<LinearDrag>(), dt, end);
                 }
@@ -53,7 +55,8 @@ class EulerSolver {
             }
             advance(begin + passed, end, next);
             passed += next;
-            if (!happen(begin + passed)) return Outcome::kStalled;
+            // Rounded, it could lie behind the tick's end, and its event behind those of the next.
+            if (!happen(std::min(begin + passed, end))) return Outcome::kStalled;
         }
         return Outcome::kStalled;
     }
@@ -104,12 +107,23 @@ class EulerSolver {
             for (std::size_t b = a + 1; b < balls.size(); ++b) {
                 if (!balls[a].in_play || !balls[b].in_play || balls[a].v == balls[b].v) continue;
                 if (balls[a].partner == b && balls[b].partner == a) continue;
+                if (!may_meet(balls[a], balls[b], distance)) continue;
                 const std::optional<double> t =
                     time_of_impact({balls[a].r, balls[a].v}, {balls[b].r, balls[b].v}, distance);
                 if (t && is_first(*t))
                     contacts_.push_back({Contact::Kind::kBalls, a, b, Rail::kNorth});
             }
         }
+    }
+
+    /// False where the balls cannot meet before the first event known: boxes around their ways,
+    /// wider than any rounding.
+    [[nodiscard]] bool may_meet(const MovingBall& a, const MovingBall& b, double distance) const {
+        constexpr double kGenerous = 1 + 0x1p-30;
+        const Vec2 c = b.r - a.r;
+        const Vec2 v = b.v - a.v;
+        return std::abs(c.x) <= kGenerous * (distance + std::abs(v.x) * first_) &&
+               std::abs(c.y) <= kGenerous * (distance + std::abs(v.y) * first_);
     }
 
     void find_rail_contacts() {
@@ -135,13 +149,16 @@ class EulerSolver {
             if (!captures_.empty()) return true;
         }
         if constexpr (Set::template kHas<Rails>) snap_to_rails();
-        before_ = run_.balls();
+        before_.clear();
+        for (const Contact& contact : contacts_)
+            before_.push_back({run_.balls()[contact.a], run_.balls()[contact.b]});
         if (!resolve(contacts_, restitution(), run_.balls())) return false;
-        for (const Contact& contact : contacts_) {
-            if (contact.kind == Contact::Kind::kRail) {
-                run_.record_rail(t, contact.a, contact.rail, before_[contact.a]);
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            const auto& [kind, a, b, rail] = contacts_[i];
+            if (kind == Contact::Kind::kRail) {
+                run_.record_rail(t, a, rail, before_[i].a);
             } else {
-                run_.record_pair(t, contact.a, contact.b, before_[contact.a], before_[contact.b]);
+                run_.record_pair(t, a, b, before_[i].a, before_[i].b);
             }
         }
         return true;
@@ -169,12 +186,18 @@ class EulerSolver {
         Pocket pocket;
     };
 
+    /// The balls of a contact before its group was resolved.
+    struct BeforeContact {
+        MovingBall a;
+        MovingBall b;
+    };
+
     const Set& set_;
     ShotRun& run_;
     double first_ = 0;
     std::vector<Contact> contacts_;
     std::vector<FoundCapture> captures_;
-    std::vector<MovingBall> before_;
+    std::vector<BeforeContact> before_;
 };
 
 }  // namespace poolhall
