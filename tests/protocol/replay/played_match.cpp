@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::int64_t kStart = 1'700'000'000'000;  // ms
 
-/// Aims past the 8-ball by an amount that changes from shot to shot, so that some shots hit and some do not.
+/// Aims past the 8-ball by an amount that changes from shot to shot, so that some shots hit and
+/// some do not.
 Vec2 aim(const GameState& state, std::uint32_t shot) {
     const Vec2 straight = kEndGameRules.default_aim(state);
     const double off = 0.04 * static_cast<double>(shot % 7) - 0.1;
@@ -22,8 +23,9 @@ Vec2 aim(const GameState& state, std::uint32_t shot) {
 }  // namespace
 
 std::vector<ReplayRecord> played_match(const std::string& id, std::uint32_t shots) {
-    std::vector<ReplayRecord> records{protocol::MatchRecord{id, "end_game", "poolhall 0.1.0", kStart},
-                                      protocol::SeatRecord{Seat{0}, "Ann"}, protocol::SeatRecord{Seat{1}, "Bob"}};
+    std::vector<ReplayRecord> records{
+        protocol::MatchRecord{id, "end_game", "poolhall 0.1.0", kStart},
+        protocol::SeatRecord{Seat{0}, "Ann"}, protocol::SeatRecord{Seat{1}, "Bob"}};
     std::uint32_t game_number = 0;
     GameState state;
     state.over = true;
@@ -53,7 +55,8 @@ std::string replay_line(std::uint64_t n, const ReplayRecord& record) {
 
 std::string replay_file(const std::vector<ReplayRecord>& records) {
     std::string file;
-    for (std::size_t i = 0; i < records.size(); ++i) file += replay_line(i + 1, records[i]);
+    for (std::size_t i = 0; i < records.size(); ++i)
+        file += replay_line(i + 1, records[i]);
     return file;
 }
 

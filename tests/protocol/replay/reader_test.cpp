@@ -1,14 +1,13 @@
 #include "protocol/replay/reader.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <fstream>
-#include <sstream>
-
 #include "protocol/replay/line.hpp"
 #include "protocol/replay/record_text.hpp"
 #include "tests/protocol/replay/played_match.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
 
 namespace poolhall::protocol {
 namespace {
@@ -26,7 +25,8 @@ Reading read(const std::string& file) {
     std::istringstream input(file);
     ReplayReader reader(input);
     Reading reading;
-    while (const auto record = reader.next()) EXPECT_EQ(record->n, ++reading.records);
+    while (const auto record = reader.next())
+        EXPECT_EQ(record->n, ++reading.records);
     reading.ended = reader.ended();
     reading.damage = reader.damage();
     return reading;
@@ -44,13 +44,15 @@ std::size_t line_start(const std::string& file, std::size_t offset) {
 /// The file of a match, line by line.
 std::vector<std::string> lines_of(std::vector<ReplayRecord> records) {
     std::vector<std::string> lines;
-    for (const ReplayRecord& record : records) lines.push_back(test::replay_line(lines.size() + 1, record));
+    for (const ReplayRecord& record : records)
+        lines.push_back(test::replay_line(lines.size() + 1, record));
     return lines;
 }
 
 std::string joined(const std::vector<std::string>& lines) {
     std::string file;
-    for (const std::string& line : lines) file += line;
+    for (const std::string& line : lines)
+        file += line;
     return file;
 }
 
@@ -83,7 +85,8 @@ TEST(ReplayReader, ATruncatedFileIsReadUpToTheCut) {
         const bool between_lines = size > 0 && file[size - 1] == '\n';
         ASSERT_EQ(reading.damage.has_value(), !between_lines) << "cut at " << size;
         if (between_lines) continue;
-        EXPECT_EQ(reading.damage->kind, size == 0 ? DamageKind::kMissingRecord : DamageKind::kTornLine);
+        EXPECT_EQ(reading.damage->kind,
+                  size == 0 ? DamageKind::kMissingRecord : DamageKind::kTornLine);
         EXPECT_EQ(reading.damage->offset, line_start(file, size));
         EXPECT_EQ(reading.damage->line, reading.records + 1);
     }
@@ -120,8 +123,10 @@ TEST(ReplayReader, AMissingLineIsNoticed) {
 TEST(ReplayReader, ARepeatedOrSwappedLineIsNoticed) {
     auto lines = lines_of(test::played_match("m1", kShots));
     std::swap(lines[3], lines[4]);
-    EXPECT_EQ(read(joined(lines)).damage->text(), "line 4, byte " + std::to_string(lines[0].size() + lines[1].size() + lines[2].size()) +
-                                                      ": record 5 stands where record 4 must be");
+    EXPECT_EQ(read(joined(lines)).damage->text(),
+              "line 4, byte " +
+                  std::to_string(lines[0].size() + lines[1].size() + lines[2].size()) +
+                  ": record 5 stands where record 4 must be");
     std::swap(lines[3], lines[4]);
     lines.insert(lines.begin() + 2, lines[2]);
     EXPECT_EQ(read(joined(lines)).damage->line, 4U);

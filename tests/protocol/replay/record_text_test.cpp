@@ -1,10 +1,9 @@
 #include "protocol/replay/record_text.hpp"
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
 #include "tests/protocol/replay/played_match.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace poolhall::protocol {
 namespace {
@@ -68,7 +67,8 @@ TEST(RecordText, EveryMissingFieldIsNamed) {
 TEST(RecordText, EveryFieldOfAnotherTypeIsNamed) {
     const Json whole = shot_json();
     for (const auto& [key, unused] : whole.items()) {
-        for (const Json& wrong : {Json(nullptr), Json(true), Json(-1), Json::array({Json::object()})}) {
+        for (const Json& wrong :
+             {Json(nullptr), Json(true), Json(-1), Json::array({Json::object()})}) {
             Json json = whole;
             json[key] = wrong;
             EXPECT_EQ(fault_of(json).substr(0, key.size() + 1), "/" + key) << wrong;
@@ -108,7 +108,9 @@ TEST(RecordText, AnotherFormatIsRefused) {
 TEST(RecordText, AMatchIdIsNoPath) {
     for (const std::string id : {"", "..", "../m1", "a/b", "a b", "a.b"}) {
         EXPECT_FALSE(is_match_id(id)) << id;
-        EXPECT_EQ(fault_of(Json::parse(to_text(1, MatchRecord{id, "end_game", "poolhall 0.1.0", 0}))), "/match");
+        EXPECT_EQ(
+            fault_of(Json::parse(to_text(1, MatchRecord{id, "end_game", "poolhall 0.1.0", 0}))),
+            "/match");
     }
     EXPECT_TRUE(is_match_id("Az09_-"));
     EXPECT_FALSE(is_match_id(std::string(65, 'a')));

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+// The tables of a replay store; REPLAY_FORMAT.md describes them. Only server/store writes them.
+namespace SQLite {
+class Database;
+class Exception;
+}  // namespace SQLite
+
+namespace poolhall::protocol {
+
+inline constexpr std::string_view kDatabaseFile = "poolhall.sqlite";  ///< in the data folder
+inline constexpr int kApplicationId = 0x504F4F4C;  ///< "POOL"; PRAGMA application_id
+inline constexpr int kDatabaseVersion = 1;         ///< PRAGMA user_version
+
+/// Whose tables a database holds.
+enum class DatabaseState {
+    kEmpty,    ///< nobody's yet
+    kCurrent,  ///< ours, of kDatabaseVersion
+    kNewer,    ///< ours, of a later version
+    kForeign,  ///< not ours
+};
+
+/// Throws SQLite::Exception if the file cannot be read.
+[[nodiscard]] DatabaseState state_of(SQLite::Database& database);
+
+/// Creates the tables in an empty database, in one transaction. Throws SQLite::Exception.
+void create_tables(SQLite::Database& database);
+
+/// One sentence with the path: what SQLite met.
+[[nodiscard]] std::string describe(const std::filesystem::path& path,
+                                   const SQLite::Exception& error);
+/// One sentence with the path: why a database in this state (not kCurrent) cannot be used.
+[[nodiscard]] std::string describe(const std::filesystem::path& path, DatabaseState state);
+
+}  // namespace poolhall::protocol

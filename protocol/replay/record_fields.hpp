@@ -1,0 +1,89 @@
+#pragma once
+
+#include "protocol/replay/record.hpp"
+#include "protocol/wire/scene_fields.hpp"
+#include "protocol/wire/shot_fields.hpp"
+
+#include <cmath>
+#include <concepts>
+#include <tuple>
+
+// The fields of the records, in the order in which they are written.
+namespace poolhall::protocol::wire {
+
+/// A whole number that a double can hold, so that every JSON library reads it exactly.
+struct Count {
+    std::uint64_t min = 0;
+
+    template <std::integral T>
+    bool read(const Cursor& cursor, T& value) const {
+        constexpr std::uint64_t kMax = std::uint64_t{1} << 53U;
+        const Json& json = cursor.json();
+        if (!json.is_number_unsigned() || json.get<std::uint64_t>() < min ||
+            json.get<std::uint64_t>() > kMax) {
+            return cursor.refuse("must be a whole number from " + std::to_string(min) + " to 2^53");
+        }
+        value = json.get<T>();
+        return true;
+    }
+
+    template <std::integral T>
+    Json write(T value, Encoding /*encoding*/) const {
+        return value;
+    }
+};
+
+struct MatchId {
+    bool read(const Cursor& cursor, std::string& value) const;
+
+    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+};
+
+inline constexpr Text kShortText{1, 64};
+inline constexpr Text kReasonText{0, 256};
+inline constexpr Real kSeconds{0, kAnyMagnitude};
+inline constexpr std::size_t kMaxEventTimes = 100000;
+
+template <>
+inline constexpr auto kFields<MatchRecord> = std::tuple{
+    field("match", &MatchRecord::match, MatchId{}),
+    field("game", &MatchRecord::game, kShortText),
+    field("server", &MatchRecord::server, kShortText),
+    field("created_ms", &MatchRecord::created_ms, Count{}),
+};
+
+template <>
+inline constexpr auto kFields<SeatRecord> = std::tuple{
+    field("seat", &SeatRecord::seat),
+    field("name", &SeatRecord::name, PersonName{true}),
+};
+
+template <>
+inline constexpr auto kFields<GameRecord> = std::tuple{
+    field("game_number", &GameRecord::game_number, Integer{1}),
+    field("first", &GameRecord::first),
+};
+
+template <>
+inline constexpr auto kFields<ShotRecord> = std::tuple{
+    field("shot", &ShotRecord::shot, Integer{1}),
+    field("game_number", &ShotRecord::game_number, Integer{1}),
+    field("seat", &ShotRecord::seat),
+    field("scene", &ShotRecord::scene, SceneCodec{true}),
+    field("scene_hash", &ShotRecord::scene_hash, Hash{}),
+    field("kernel", &ShotRecord::kernel, kShortText),
+    field("final_hash", &ShotRecord::final_hash, Hash{}),
+    field("duration", &ShotRecord::duration, kSeconds),
+    field("event_count", &ShotRecord::event_count),
+    field("event_times", &ShotRecord::event_times, List<Real>{kSeconds, kMaxEventTimes}),
+    field("ruling", &ShotRecord::ruling),
+    field("at_ms", &ShotRecord::at_ms, Count{}),
+};
+
+template <>
+inline constexpr auto kFields<EndRecord> = std::tuple{
+    field("reason", &EndRecord::reason, kReasonText),
+    field("at_ms", &EndRecord::at_ms, Count{}),
+};
+
+}  // namespace poolhall::protocol::wire

@@ -1,0 +1,100 @@
+#include "protocol/replay/record_text.hpp"
+
+#include "protocol/replay/record_fields.hpp"
+#include "protocol/tree.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace poolhall::protocol {
+
+namespace {
+
+using wire::Cursor;
+using wire::Json;
+
+constexpr std::size_t kMaxMatchIdBytes = 64;
+constexpr std::string_view kFormat = "poolhall.replay/1";
+
+bool read_format(const Cursor& cursor) {
+    const Json* format = cursor.find("format");
+    if (format == nullptr) return cursor.refuse_missing("format");
+    if (*format == kFormat) return true;
+    return cursor.refuse_at(
+        "/format", "must be \"" + std::string(kFormat) + "\": this version reads no other");
+}
+
+/// What the fields alone do not say.
+bool check_whole(const Cursor& cursor, const ShotRecord& record) {
+    const std::size_t times = record.event_times.size();
+    if (times == 0 || times == record.event_count) return true;
+    return cursor.refuse_at("/event_times", "must have one time for each event, or none");
+}
+
+template <class Record>
+bool check_whole(const Cursor& /*cursor*/, const Record& /*record*/) {
+    return true;
+}
+
+template <class Record>
+bool read_as(const Cursor& cursor, ReplayRecord& record) {
+    constexpr bool kHasFormat = std::is_same_v<Record, MatchRecord>;
+    if (kHasFormat && !read_format(cursor)) return false;
+    auto& fields = record.emplace<Record>();
+    const char* format = kHasFormat ? "format" : "kind";
+    return wire::read_fields(cursor, fields, {"n", "kind", format}) && check_whole(cursor, fields);
+}
+
+template <class... Records>
+bool read_kind(const Cursor& cursor, std::string_view kind, std::variant<Records...>& record) {
+    bool good = false;
+    const bool known =
+        ((kind == Records::kKind && (good = read_as<Records>(cursor, record), true)) || ...);
+    return known ? good
+                 : cursor.refuse_at("/kind", "is not a kind of record that this version knows");
+}
+
+bool read_record(const Cursor& cursor, NumberedRecord& numbered) {
+    if (!cursor.json().is_object()) return cursor.refuse("must be an object");
+    const Json* n = cursor.find("n");
+    if (n == nullptr) return cursor.refuse_missing("n");
+    if (!wire::Count{1}.read(cursor.field("n", *n), numbered.n)) return false;
+    const Json* kind = cursor.find("kind");
+    if (kind == nullptr) return cursor.refuse_missing("kind");
+    if (!wire::expect_text(cursor.field("kind", *kind))) return false;
+    return read_kind(cursor, kind->get_ref<const std::string&>(), numbered.record);
+}
+
+}  // namespace
+
+bool wire::MatchId::read(const Cursor& cursor, std::string& value) const {
+    if (!expect_text(cursor)) return false;
+    value = cursor.json().get<std::string>();
+    return is_match_id(value) || cursor.refuse("must be 1 to 64 of A-Z a-z 0-9 _ -");
+}
+
+std::string to_text(std::uint64_t n, const ReplayRecord& record) {
+    Json object{{"n", n}, {"kind", kind_of(record)}};
+    if (std::holds_alternative<MatchRecord>(record)) object["format"] = kFormat;
+    std::visit([&](const auto& fields) { wire::write_fields(object, fields, Encoding::kJson); },
+               record);
+    return write_tree(object, Encoding::kJson);
+}
+
+Result<NumberedRecord, RecordError> record_from_text(std::string_view text) {
+    const auto tree = parse_tree(text, Encoding::kJson);
+    if (!tree) return RecordError{"", tree.error().reason, false};
+    wire::Reading reading;
+    NumberedRecord record;
+    if (read_record(Cursor(*tree, reading), record)) return record;
+    return RecordError{reading.error->pointer, reading.error->reason};
+}
+
+bool is_match_id(std::string_view id) {
+    constexpr std::string_view kAllowed =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+    return !id.empty() && id.size() <= kMaxMatchIdBytes &&
+           id.find_first_not_of(kAllowed) == std::string_view::npos;
+}
+
+}  // namespace poolhall::protocol
