@@ -31,21 +31,25 @@ def has_fma():
     return "fma" in Path("/proc/cpuinfo").read_text().split()
 
 
-def build(flavour, folder):
+def build(compiler, folder):
     """Compiles the simulation and the golden program; returns the program and the simulation's objects."""
-    command = [*filter(None, [shutil.which("ccache")]), *FLAVOURS[flavour]]
+    command = [*filter(None, [shutil.which("ccache")]), compiler[0], *COMMON, *compiler[1:]]
     folder.mkdir(parents=True, exist_ok=True)
 
     def compile_one(source):
         target = folder / (str(source.relative_to(ROOT)).replace("/", "_") + ".o")
-        subprocess.run([*command, *COMMON, str(source), "-o", str(target)], check=True)
+        subprocess.run([*command, str(source), "-o", str(target)], check=True)
         return str(target)
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         golden, *simulation = pool.map(compile_one, [PROGRAM, *files(ROOT, ["shared"], {".cpp"})])
     program = folder / "golden_hashes"
-    subprocess.run([FLAVOURS[flavour][0], golden, *simulation, "-o", str(program)], check=True)
+    subprocess.run([compiler[0], golden, *simulation, "-o", str(program)], check=True)
     return program, simulation
+
+
+def output_of(program):
+    return subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
 
 
 class DeterminismTest(unittest.TestCase):
@@ -56,16 +60,23 @@ class DeterminismTest(unittest.TestCase):
         self.assertEqual([], symbols.forbidden([self.library]))
 
     def test_every_flavour_gives_the_committed_hashes_and_calls_no_mathematical_function(self):
-        for flavour, command in FLAVOURS.items():
+        for flavour, compiler in FLAVOURS.items():
             with self.subTest(flavour):
-                program, simulation = build(flavour, self.folder / flavour)
+                program, simulation = build(compiler, self.folder / flavour)
                 self.assertEqual([], symbols.forbidden(simulation))
-                if "-march=haswell" in command and not has_fma():
+                if "-march=haswell" in compiler and not has_fma():
                     print(f"{flavour}: built, not run: this processor has no FMA")
                     continue
-                actual = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
+                actual = output_of(program)
                 self.assertTrue(actual, f"{flavour} printed no hash")
                 self.assertEqual(COMMITTED.read_text(), actual, f"{flavour} printed\n{actual}")
+
+    @unittest.skipUnless(has_fma(), "needs a processor with FMA")
+    def test_contraction_would_change_the_hashes(self):
+        """So the builds with FMA above prove something."""
+        compiler = [*FLAVOURS["gcc-O3-fma"], "-ffp-contract=fast"]
+        program, _ = build(compiler, self.folder / "contracted")
+        self.assertNotEqual(COMMITTED.read_text(), output_of(program))
 
 
 if __name__ == "__main__":
