@@ -17,12 +17,9 @@ struct Options {
     bool all = false;
 };
 
-CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& does,
-                      Options& options) {
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& does) {
     CLI::App* command = app.add_subcommand(name, does);
-    command->add_option("--data", options.data, "Folder of the replay store")
-        ->envname("POOLHALL_DATA")
-        ->capture_default_str();
+    command->fallthrough();  // --data may stand after the command
     return command;
 }
 
@@ -52,13 +49,16 @@ int run_program(int argc, char** argv) {
         "Lists, shows, verifies and exports the replays of a Poolhall server.\n"
         "Exit status: 0 fine, 1 a shot diverged, 2 bad input.");
     app.require_subcommand(1);
-    add_command(app, "list", "List all replays, newest first", options);
-    CLI::App* show = add_command(app, "show", "Print a replay", options);
+    app.add_option("--data", options.data, "Folder of the replay store")
+        ->envname("POOLHALL_DATA")
+        ->capture_default_str();
+    add_command(app, "list", "List all replays, newest first");
+    CLI::App* show = add_command(app, "show", "Print a replay");
     add_choice(show, options);
     show->add_flag("--json", options.json, "The records, one JSON object a line");
-    CLI::App* verify = add_command(app, "verify", "Simulate every shot again and compare", options);
+    CLI::App* verify = add_command(app, "verify", "Simulate every shot again and compare");
     add_choice(verify, options)->add_flag("--all", options.all, "Every replay of the store");
-    CLI::App* export_ = add_command(app, "export", "Write a replay as JSON Lines", options);
+    CLI::App* export_ = add_command(app, "export", "Write a replay as JSON Lines");
     export_->add_option("ID", options.choice.id, "A match of the replay store")->required();
     export_->add_option("FILE", options.export_file, "- for standard output")->required();
     try {

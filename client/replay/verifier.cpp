@@ -80,12 +80,14 @@ bool has_same_balls(const Scene& a, const Scene& b) {
     return std::ranges::equal(a.balls, b.balls, {}, &SceneBall::id, &SceneBall::id);
 }
 
-/// Moves the cue ball to where the shot was played from, as the player may have done.
+/// Moves the cue ball to where the shot was played from, if a player may do that now. Why the rules
+/// refuse that place.
 std::optional<Illegal> follow_placement(const Ruleset& rules, const Scene& played,
                                         GameState& state) {
     const Vec2 here = xy(state.scene.balls[state.cue_ball.value].state.r);
     const Vec2 there = xy(played.balls[state.cue_ball.value].state.r);
-    return here == there ? std::nullopt : rules.place_cue_ball(state, there);
+    const bool moved = here != there && rules.nearest_placement(state, there).has_value();
+    return moved ? rules.place_cue_ball(state, there) : std::nullopt;
 }
 
 }  // namespace
@@ -158,8 +160,8 @@ void Verifier::check_chain(const ShotRecord& shot, Divergences& found) {
         return;
     }
     if (const auto illegal = follow_placement(*rules_, shot.scene, expected)) {
-        found.push_back("the cue ball was moved against the rules (" + std::string(name(*illegal)) +
-                        ")");
+        found.push_back("the cue ball was put where the rules do not allow it (" +
+                        std::string(name(*illegal)) + ")");
         return;
     }
     expected.scene.strike = shot.scene.strike;

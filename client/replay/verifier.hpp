@@ -20,9 +20,9 @@ struct ShotReport {
 };
 
 /// Plays a match again, record by record. Of each shot it checks that the scene follows from the
-/// rules and the shots before it, that simulating it gives the recorded result, and that the rules
-/// say what was recorded. After a divergence it goes on from what was recorded, so that each shot
-/// is judged by itself.
+/// rules and the shot before it as that was recorded, that simulating it gives the recorded result,
+/// and that the rules say what was recorded. After a divergence it goes on from the record, so that
+/// a changed shot shows in itself and at most in the next one.
 class Verifier {
   public:
     /// Takes the next record of the match; the answer to a shot.

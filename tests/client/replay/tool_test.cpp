@@ -1,0 +1,210 @@
+#include "protocol/replay/line.hpp"
+#include "protocol/replay/record_text.hpp"
+#include "tests/server/store/store_fixture.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <array>
+#include <cstdio>
+#include <sys/wait.h>
+
+// The real program on a real store, and on files that it exported.
+namespace poolhall::client {
+namespace {
+
+using namespace poolhall::test;
+using protocol::ShotRecord;
+
+/// What a run of the program gave; `text` is both its outputs, as a terminal shows them.
+struct ProgramRun {
+    int status = -1;
+    std::string text;
+
+    [[nodiscard]] bool says(std::string_view part) const {
+        return text.find(part) != std::string::npos;
+    }
+};
+
+class ReplayTool : public testing::Test {
+  protected:
+    static constexpr std::uint32_t kShots = 6;
+
+    void SetUp() override {
+        store_match(*open_store(data()), "m1", "BCDFGH", played_match("m1", kShots));
+    }
+
+    [[nodiscard]] std::filesystem::path data() const { return folder_.path() / "data"; }
+
+    [[nodiscard]] std::string path(const std::string& name) const {
+        return (folder_.path() / name).string();
+    }
+
+    [[nodiscard]] ProgramRun run(const std::string& arguments) const {
+        const std::string command =
+            "POOLHALL_DATA='" + data().string() + "' " POOLHALL_REPLAY " " + arguments + " 2>&1";
+        ProgramRun run;
+        FILE* output = popen(command.c_str(), "r");
+        if (output == nullptr) return run;
+        std::array<char, 4096> part{};
+        for (std::size_t size = 1; size > 0;) {
+            size = fread(part.data(), 1, part.size(), output);
+            run.text.append(part.data(), size);
+        }
+        const int status = pclose(output);
+        run.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        return run;
+    }
+
+    /// Changes shot 3 in the store and gives it a good checksum, as a forger would.
+    void forge_shot_3() const {
+        auto records = played_match("m1", kShots);
+        std::uint64_t n = 0;
+        for (auto& record : records) {
+            ++n;
+            auto* shot = std::get_if<ShotRecord>(&record);
+            if (shot == nullptr || shot->shot != 3) continue;
+            shot->final_hash ^= 1U;
+            const std::string body = protocol::to_text(n, record);
+            SQLite::Database(database(), SQLite::OPEN_READWRITE)
+                .exec("UPDATE records SET body = '" + body + "', sum = '" +
+                      protocol::checksum_text(body) + "' WHERE n = " + std::to_string(n));
+        }
+    }
+
+    [[nodiscard]] std::string database() const { return (data() / "poolhall.sqlite").string(); }
+
+  private:
+    TemporaryFolder folder_;
+};
+
+TEST_F(ReplayTool, ListsReplays) {
+    const ProgramRun list = run("list");
+    EXPECT_EQ(list.status, 0);
+    EXPECT_TRUE(list.says("m1")) << list.text;
+    EXPECT_TRUE(list.says("Ann / Bob")) << list.text;
+}
+
+TEST_F(ReplayTool, ShowsAReplay) {
+    const ProgramRun show = run("show m1");
+    EXPECT_EQ(show.status, 0);
+    EXPECT_TRUE(show.says("match m1, end_game, created 2023-11-14 22:13:20 UTC by poolhall 0.1.0"))
+        << show.text;
+    EXPECT_TRUE(show.says("turn_passes"));
+    EXPECT_TRUE(show.says("end: both players left"));
+}
+
+TEST_F(ReplayTool, ShowsTheRecordsAsJson) {
+    const ProgramRun show = run("show m1 --json");
+    EXPECT_EQ(show.status, 0);
+    EXPECT_TRUE(show.text.starts_with(R"({"n":1,"kind":"match","format":"poolhall.replay/1",)"))
+        << show.text;
+}
+
+TEST_F(ReplayTool, VerifiesAReplay) {
+    const ProgramRun verify = run("verify m1");
+    EXPECT_EQ(verify.status, 0);
+    EXPECT_TRUE(verify.says("shot 6: ok ")) << verify.text;
+    EXPECT_TRUE(verify.says("replay m1: 6 shots, all as recorded\n")) << verify.text;
+}
+
+TEST_F(ReplayTool, ExportsWhatTheStoreHolds) {
+    ASSERT_EQ(run("export m1 " + path("m1.jsonl")).status, 0);
+    const std::string file = read_file(path("m1.jsonl"));
+    EXPECT_EQ(file, replay_file(played_match("m1", kShots)));
+    EXPECT_EQ(run("export m1 -").text, file);
+    EXPECT_EQ(run("verify --file " + path("m1.jsonl")).status, 0);
+    EXPECT_EQ(run("show --file " + path("m1.jsonl")).text, run("show m1").text);
+}
+
+TEST_F(ReplayTool, WorksWhileAServerWrites) {
+    const auto store = open_store(data());
+    ASSERT_EQ(
+        done(*store, server::CreateMatchJob{"JKLMNP", {"m2", "end_game", "poolhall 0.1.0", 0}}),
+        "ok");
+    EXPECT_TRUE(run("list").says("m2"));
+    const ProgramRun verify = run("verify --all");
+    EXPECT_EQ(verify.status, 0);
+    EXPECT_TRUE(verify.says("replay m2: 0 shots, all as recorded; the match has no end record yet"))
+        << verify.text;
+    EXPECT_EQ(done(*store, server::AppendGameJob{"m2", {1, Seat{0}}}), "ok");
+}
+
+TEST_F(ReplayTool, NamesTheShotThatWasForgedAndGoesOn) {
+    forge_shot_3();
+    const ProgramRun verify = run("verify m1");
+    EXPECT_EQ(verify.status, 1);
+    EXPECT_TRUE(verify.says("shot 3: DIVERGED hash ")) << verify.text;
+    EXPECT_TRUE(verify.says("shot 4: ok ")) << verify.text;
+    EXPECT_TRUE(verify.says("replay m1: 6 shots, 1 diverged, the first is shot 3\n"))
+        << verify.text;
+    EXPECT_EQ(run("verify --all").status, 1);
+}
+
+TEST_F(ReplayTool, ReadsADamagedFileUpToTheDamage) {
+    const std::string file = replay_file(played_match("m1", kShots));
+    write_file(path("cut.jsonl"), file.substr(0, file.size() / 2));
+    for (const std::string command : {"show", "verify"}) {
+        const ProgramRun damaged = run(command + " --file " + path("cut.jsonl"));
+        EXPECT_EQ(damaged.status, 2);
+        EXPECT_TRUE(damaged.says("shot")) << damaged.text;
+        EXPECT_TRUE(damaged.says("cut.jsonl is damaged: line ")) << damaged.text;
+        EXPECT_TRUE(damaged.says(": the last line is cut short")) << damaged.text;
+    }
+}
+
+TEST_F(ReplayTool, ADamagedRecordInTheStoreIsNamed) {
+    SQLite::Database(database(), SQLite::OPEN_READWRITE)
+        .exec("UPDATE records SET body = replace(body, 'end_game', 'mad_game') WHERE n = 5");
+    const ProgramRun verify = run("verify m1");
+    EXPECT_EQ(verify.status, 2);
+    EXPECT_TRUE(verify.says("replay m1 is damaged: line 5, byte ")) << verify.text;
+    EXPECT_TRUE(verify.says(": the checksum does not match")) << verify.text;
+}
+
+TEST_F(ReplayTool, OddIdsAreUnknown) {
+    for (const std::string id : {"m2", "../data/m1", "/etc/passwd", "'m1 OR 1=1'", "''"}) {
+        for (const std::string command : {"show ", "verify "}) {
+            const ProgramRun unknown = run(command + id);
+            EXPECT_EQ(unknown.status, 2) << unknown.text;
+            EXPECT_TRUE(unknown.says("there is no replay ")) << unknown.text;
+        }
+        EXPECT_EQ(run("export " + id + " " + path("out.jsonl")).status, 2);
+        EXPECT_FALSE(std::filesystem::exists(path("out.jsonl")));
+    }
+}
+
+TEST_F(ReplayTool, WhatCannotBeReadOrWrittenIsSaidInOneLine) {
+    const std::vector<std::string> bad{
+        "show --file " + path("none"), "show --file /",
+        "list --data " + path("none"), "export m1 " + path("no/file"),
+        "export m1 " + path("data"),   "verify --all > /dev/full"};
+    for (const std::string& arguments : bad) {
+        const ProgramRun failed = run(arguments);
+        EXPECT_EQ(failed.status, 2) << arguments;
+        EXPECT_TRUE(failed.text.starts_with("poolhall-replay: ") || arguments.ends_with("full"))
+            << failed.text;
+        EXPECT_LE(std::count(failed.text.begin(), failed.text.end(), '\n'), 1) << failed.text;
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("data.part")));
+}
+
+TEST_F(ReplayTool, AWrongCommandLineIsBadInput) {
+    for (const std::string arguments :
+         {"", "play", "show", "show m1 --file x", "verify m1 --all", "export m1", "show m1 x"}) {
+        EXPECT_EQ(run(arguments).status, 2) << arguments;
+    }
+    EXPECT_EQ(run("--help").status, 0);
+    EXPECT_EQ(run("verify --help").status, 0);
+}
+
+TEST_F(ReplayTool, ControlCharactersDoNotReachTheTerminal) {
+    auto records = played_match("m1", 1);
+    std::get<protocol::EndRecord>(records.back()).reason = "\x1B[2J";
+    std::get<protocol::MatchRecord>(records.front()).server = "\x1B]0;x\x07";
+    write_file(path("odd.jsonl"), replay_file(records));
+    const ProgramRun show = run("show --file " + path("odd.jsonl"));
+    EXPECT_EQ(show.status, 0) << show.text;
+    EXPECT_FALSE(show.says("\x1B")) << show.text;
+}
+
+}  // namespace
+}  // namespace poolhall::client
