@@ -1,10 +1,10 @@
 #pragma once
 
+#include "client/desktop/view/view_state.hpp"
+
 #include <SDL2/SDL.h>
 
 #include <memory>
-
-#include "client/desktop/view/view_state.hpp"
 
 namespace poolhall::client {
 
@@ -12,17 +12,20 @@ namespace poolhall::client {
 inline constexpr int kMinWindowWidth = 480;
 inline constexpr int kMinWindowHeight = 320;
 
-/// Draws what a ViewState says. It follows the renderer's output size by itself, and remembers only what makes a picture
-/// continuous: how far each ball has rolled, and what has been baked into textures.
+/// Draws what a ViewState says. It follows the renderer's output size by itself, and remembers only
+/// what makes a picture continuous: how far each ball has rolled, and what has been baked into
+/// textures.
 class TableView {
   public:
-    /// Throws std::runtime_error, one line, where no font can be found. The renderer must outlive the view.
+    /// Throws std::runtime_error, one line, where no font can be found. The renderer must outlive
+    /// the view.
     explicit TableView(SDL_Renderer* renderer);
     ~TableView();
     TableView(const TableView&) = delete;
     TableView& operator=(const TableView&) = delete;
 
-    /// Draws the whole output; presenting is the caller's. `now_s` is any clock that only moves forward.
+    /// Draws the whole output; presenting is the caller's. `now_s` is any clock that only moves
+    /// forward.
     void draw(const ViewState& state, double now_s);
     /// Rebuilds the textures when the event says that the device has lost them.
     void handle_event(const SDL_Event& event);

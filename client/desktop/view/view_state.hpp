@@ -1,16 +1,17 @@
 #pragma once
 
+#include "shared/aim/prediction.hpp"
+#include "shared/game/game_state.hpp"
+#include "shared/physics/scene.hpp"
+
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "shared/aim/prediction.hpp"
-#include "shared/game/game_state.hpp"
-#include "shared/physics/scene.hpp"
-
-// What one frame of the window shows. The app fills it, the view draws it; neither keeps the other's state.
+// What one frame of the window shows. The app fills it, the view draws it; neither keeps the
+// other's state.
 namespace poolhall::client {
 
 struct BallView {
@@ -27,7 +28,7 @@ struct AimView {
 
 /// A ring where a ball was, one a step of step mode; it fades.
 struct TrailRing {
-    Vec2 r;               ///< m
+    Vec2 r;  ///< m
     BallIndex ball;
     double strength = 1;  ///< 1 new, 0 gone
 };
