@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+// What the fuzzers feed with bytes, one function for each decoder. Each aborts, with a line on
+// standard error, when something that was read does not come back the same after it was written
+// again.
+namespace poolhall::fuzz {
+
+void client_json(std::string_view bytes);
+void client_cbor(std::string_view bytes);
+void server_json(std::string_view bytes);
+void server_cbor(std::string_view bytes);
+void scene(std::string_view bytes);
+
+}  // namespace poolhall::fuzz

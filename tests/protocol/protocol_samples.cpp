@@ -1,0 +1,149 @@
+// Shows what the code says of the protocol, for tests in other languages.
+//
+//   protocol_samples catalog          {"client": {TYPE: {FIELD: required}}, "server": ..., "parts":
+//   ...} protocol_samples messages COUNT   JSON Lines {"from": "client" | "server", "message":
+//   {...}}
+
+#include "protocol/codec.hpp"
+#include "protocol/scene_json.hpp"
+#include "protocol/wire/message_fields.hpp"
+#include "tests/protocol/random_messages.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace poolhall::protocol {
+namespace {
+
+using wire::Json;
+
+template <class T>
+struct IsOptionalMember : std::false_type {};
+
+template <class Owner, class T>
+struct IsOptionalMember<std::optional<T> Owner::*> : std::true_type {};
+
+template <class T>
+void add_fields(Json& fields) {
+    const auto add = [&](const auto& spec) {
+        using Access = std::remove_cvref_t<decltype(spec.access)>;
+        fields[spec.name] =
+            spec.presence == wire::Presence::kRequired && !IsOptionalMember<Access>::value;
+    };
+    std::apply([&](const auto&... specs) { (add(specs), ...); }, wire::kFields<T>);
+}
+
+template <class T>
+Json fields_of(const Json& others = Json::object()) {
+    Json fields = others;
+    add_fields<T>(fields);
+    return fields;
+}
+
+template <class... Bodies>
+Json types_of(std::type_identity<std::variant<Bodies...>> /*list*/, const Json& others) {
+    Json types = Json::object();
+    ((types[Bodies::kType] = fields_of<Bodies>(others)), ...);
+    return types;
+}
+
+/// The objects within messages, by their names in the schemas.
+Json parts() {
+    Json scene = fields_of<Scene>({{"schema", true}});
+    scene["strike"] = false;
+    return {{"server-message.json",
+             {{"table_state", fields_of<TableState>()},
+              {"seat_info", fields_of<SeatInfo>()},
+              {"live_shot", fields_of<LiveShot>()},
+              {"ruling", fields_of<Ruling>()},
+              {"state", fields_of<BallState>()},
+              {"event", fields_of<wire::EventForm>()},
+              {"final_ball", fields_of<wire::FinalBallForm>()}}},
+            {"scene.json",
+             {{"", scene},
+              {"table", fields_of<Table>()},
+              {"ball_spec", fields_of<BallSpec>()},
+              {"effects", fields_of<Effects>()},
+              {"linear_drag", fields_of<LinearDragSpec>()},
+              {"ball_ball", fields_of<BallBallSpec>()},
+              {"rail", fields_of<RailSpec>()},
+              {"solver", fields_of<SolverSpec>()},
+              {"ball", fields_of<SceneBall>()},
+              {"limits", fields_of<Limits>()},
+              {"strike", fields_of<wire::StrikeForm>()}}}};
+}
+
+void print_catalog() {
+    const Json catalog{
+        {"client", types_of(std::type_identity<ClientBody>{}, {{"type", true}, {"seq", true}})},
+        {"server", types_of(std::type_identity<ServerMessage>{}, {{"type", true}})},
+        {"parts", parts()}};
+    std::cout << catalog.dump() << "\n";
+}
+
+template <class Message>
+void print_message(const char* from, const Message& message) {
+    std::cout << R"({"from":")" << from << R"(","message":)" << encode(message, Encoding::kJson)
+              << "}\n";
+}
+
+void print_messages(int count) {
+    testing::Random random(7);
+    for (int i = 0; i < count; ++i) {
+        for (const auto& message : testing::random_client_messages(random))
+            print_message("client", message);
+        for (const auto& message : testing::random_server_messages(random))
+            print_message("server", message);
+    }
+}
+
+void write_seed(const std::filesystem::path& path, const std::string& bytes) {
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+template <class Message>
+void write_message_seeds(const std::filesystem::path& folder, const std::string& side,
+                         const std::vector<Message>& messages) {
+    for (std::size_t i = 0; i < messages.size(); ++i) {
+        const std::string number = std::to_string(i);
+        write_seed(folder / (side + "_json") / number, encode(messages[i], Encoding::kJson));
+        write_seed(folder / (side + "_cbor") / number, encode(messages[i], Encoding::kCbor));
+    }
+}
+
+void write_seeds(const std::filesystem::path& folder) {
+    testing::Random random(3);
+    write_message_seeds(folder, "client", testing::random_client_messages(random));
+    write_message_seeds(folder, "server", testing::random_server_messages(random));
+    for (int i = 0; i < 5; ++i) {
+        const Scene scene = testing::random_scene(random, random.coin());
+        write_seed(folder / "scene" / std::to_string(i), to_json(scene).dump());
+    }
+}
+
+}  // namespace
+}  // namespace poolhall::protocol
+
+int main(int argc, char** argv) {
+    const std::string_view mode = argc > 1 ? argv[1] : "";
+    if (mode == "catalog" && argc == 2) {
+        poolhall::protocol::print_catalog();
+    } else if (mode == "messages" && argc == 3) {
+        poolhall::protocol::print_messages(std::atoi(argv[2]));
+    } else if (mode == "seeds" && argc == 3) {
+        poolhall::protocol::write_seeds(argv[2]);
+    } else {
+        std::cerr << "usage: protocol_samples catalog | messages COUNT | seeds FOLDER\n";
+        return 2;
+    }
+    return 0;
+}

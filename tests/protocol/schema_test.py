@@ -1,0 +1,122 @@
+"""Holds the schemas and asyncapi.yaml against what the code says and sends.
+
+usage: schema_test.py PROTOCOL_SAMPLES PROTOCOL_FOLDER
+"""
+
+import copy
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+import warnings
+
+import jsonschema
+import yaml
+
+SAMPLES, FOLDER = sys.argv[1], pathlib.Path(sys.argv[2])
+ROUNDS = 40
+
+
+def samples(*arguments):
+    text = subprocess.run([SAMPLES, *arguments], check=True, capture_output=True, text=True).stdout
+    return [json.loads(line) for line in text.splitlines()]
+
+
+def schema(name):
+    return json.loads((FOLDER / "schema" / name).read_text())
+
+
+def validator(name):
+    # RefResolver is what Debian 12 has; later versions keep it, with a warning.
+    warnings.simplefilter("ignore", DeprecationWarning)
+    root = schema(name)
+    resolver = jsonschema.RefResolver((FOLDER / "schema" / name).resolve().as_uri(), root)
+    return jsonschema.Draft202012Validator(root, resolver=resolver)
+
+
+CATALOG = samples("catalog")[0]
+MESSAGES = samples("messages", str(ROUNDS))
+
+
+class Schemas(unittest.TestCase):
+    def test_are_schemas(self):
+        for name in ("client-message.json", "server-message.json", "scene.json"):
+            jsonschema.Draft202012Validator.check_schema(schema(name))
+
+    def test_list_the_messages_of_the_code(self):
+        for side in ("client", "server"):
+            listed = [entry["$ref"].rsplit("/", 1)[1] for entry in schema(f"{side}-message.json")["oneOf"]]
+            self.assertEqual(listed, list(CATALOG[side]))
+
+    def test_list_the_fields_of_the_code(self):
+        objects = dict(CATALOG["parts"])
+        for side in ("client", "server"):
+            file = f"{side}-message.json"
+            objects[file] = {**objects.get(file, {}), **CATALOG[side]}
+        for file, parts in objects.items():
+            root = schema(file)
+            for part, fields in parts.items():
+                described = root["$defs"][part] if part else root
+                with self.subTest(file=file, part=part):
+                    self.assertEqual(set(described["properties"]), set(fields))
+                    required = {field for field, is_required in fields.items() if is_required}
+                    self.assertEqual(set(described["required"]), required)
+
+    def test_accept_what_the_code_sends(self):
+        validators = {side: validator(f"{side}-message.json") for side in ("client", "server")}
+        self.assertEqual(len(MESSAGES), ROUNDS * (len(CATALOG["client"]) + len(CATALOG["server"])))
+        for sample in MESSAGES:
+            validators[sample["from"]].validate(sample["message"])
+
+    def test_refuse_what_clients_must_not_send(self):
+        check = validator("client-message.json")
+        for sample in MESSAGES[: len(CATALOG["client"])]:
+            message = sample["message"]
+            for field, required in CATALOG["client"][message["type"]].items():
+                if required:
+                    spoilt = copy.deepcopy(message)
+                    del spoilt[field]
+                    self.assertFalse(check.is_valid(spoilt), spoilt)
+                self.assertFalse(check.is_valid({**message, field: None}), field)
+            self.assertFalse(check.is_valid({**message, "extra": 1}))
+            self.assertFalse(check.is_valid({**message, "seq": 0}))
+        self.assertFalse(check.is_valid({"type": "shoot", "seq": 1, "seat": 0, "direction": [0, 0]}))
+
+
+class AsyncApi(unittest.TestCase):
+    def setUp(self):
+        self.document = yaml.safe_load((FOLDER / "asyncapi.yaml").read_text())
+
+    def messages(self, operation):
+        listed = self.document["channels"]["/ws"][operation]["message"]["oneOf"]
+        return [entry["$ref"].rsplit("/", 1)[1] for entry in listed]
+
+    def test_lists_the_messages_of_the_code(self):
+        for side, operation in (("client", "publish"), ("server", "subscribe")):
+            self.assertEqual(self.messages(operation), [f"{side}_{name}" for name in CATALOG[side]])
+
+    def test_points_each_message_to_its_schema(self):
+        for key, message in self.document["components"]["messages"].items():
+            side, name = key.split("_", 1)
+            self.assertEqual(message["name"], name)
+            self.assertEqual(message["payload"]["$ref"], f"./schema/{side}-message.json#/$defs/{name}")
+            self.assertIn(name, CATALOG[side])
+
+
+class Page(unittest.TestCase):
+    def test_has_a_heading_for_each_message_and_a_row_for_each_field(self):
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        for side, end in (("client", "## From the server"), ("server", "## Parts of messages")):
+            part = page[page.index(f"## From the {side}"): page.index(end)]
+            sections = dict(re.findall(r"^### `(\w+)`\n(.*?)(?=^### |\Z)", part, re.S | re.M))
+            self.assertEqual(list(sections), list(CATALOG[side]))
+            for name, text in sections.items():
+                rows = set(re.findall(r"^\| `(\w+)` \|", text, re.M))
+                implied = {"type", "seq"} if side == "client" else {"type"}
+                self.assertEqual(rows, set(CATALOG[side][name]) - implied, name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
