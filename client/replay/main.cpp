@@ -27,8 +27,7 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 CLI::Option_group* add_choice(CLI::App* command, Options& options) {
     CLI::Option_group* group = command->add_option_group("replay", "Which replay; one of");
     group->add_option("ID", options.choice.id, "A match of the replay store");
-    group->add_option("--file", options.choice.file, "An exported file")
-        ->check(!CLI::IsMember({""}));
+    group->add_option("--file", options.choice.file, "An exported file");
     group->require_option(1);
     return group;
 }
@@ -47,7 +46,8 @@ int run_program(int argc, char** argv) {
     Options options;
     CLI::App app(
         "Lists, shows, verifies and exports the replays of a Poolhall server.\n"
-        "Exit status: 0 fine, 1 a shot diverged, 2 bad input.");
+        "Exit status: 0 fine, 1 a shot diverged, 2 bad input.",
+        "poolhall-replay");
     app.require_subcommand(1);
     app.add_option("--data", options.data, "Folder of the replay store")
         ->envname("POOLHALL_DATA")
