@@ -1,0 +1,53 @@
+#include "client/desktop/app/audible.hpp"
+
+#include "shared/game/end_game.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poolhall::client {
+namespace {
+
+/// What sounds as loud as can be, m/s.
+constexpr double kLoudest = end_game::kShotSpeed;
+
+double loudness(double speed) {
+    return std::clamp(std::abs(speed) / kLoudest, 0.0, 1.0);
+}
+
+double approach_speed(const ShotEvent& event) {
+    const Vec2 along = normalized(xy(event.before[1].r) - xy(event.before[0].r));
+    return dot(xy(event.before[0].v) - xy(event.before[1].v), along);
+}
+
+double speed_into_rail(const ShotEvent& event) {
+    const bool long_rail = event.rail == Rail::kNorth || event.rail == Rail::kSouth;
+    return long_rail ? event.before[0].v.y : event.before[0].v.x;
+}
+
+std::optional<Audible> audible_event(const ShotEvent& event, const Table& table) {
+    const double pan = std::clamp(2 * event.after[0].r.x / table.length, -1.0, 1.0);
+    switch (event.kind) {
+        case EventKind::kStrike:
+            return Audible{Sound::kCue, loudness(norm(xy(event.after[0].v))), pan};
+        case EventKind::kBallBall:
+            return Audible{Sound::kClick, loudness(approach_speed(event)), pan};
+        case EventKind::kBallRail:
+            return Audible{Sound::kRail, loudness(speed_into_rail(event)), pan};
+        case EventKind::kBallPocket:
+            return Audible{Sound::kPocket, 1, pan};
+        case EventKind::kRollToRest:
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Audible> audible(const Heard& heard, const Table& table) {
+    if (const auto* event = std::get_if<ShotEvent>(&heard)) return audible_event(*event, table);
+    const bool lost = std::get<GameEnded>(heard).tone == Tone::kLost;
+    return Audible{lost ? Sound::kLost : Sound::kWon, 1, 0};
+}
+
+}  // namespace poolhall::client

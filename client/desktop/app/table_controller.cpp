@@ -1,0 +1,261 @@
+#include "client/desktop/app/table_controller.hpp"
+
+#include "client/desktop/app/words.hpp"
+#include "client/desktop/match/remote_match.hpp"
+#include "shared/game/end_game.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace poolhall::client {
+namespace {
+
+/// Counterclockwise. A direction for display and for the server to take as it is: its last bits
+/// need not be the same on every machine.
+Vec2 rotated(Vec2 direction, double angle) {
+    const Vec2 unit = normalized(direction);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    return {c * unit.x - s * unit.y, s * unit.x + c * unit.y};
+}
+
+}  // namespace
+
+TableController::TableController(Match& match, Playback& playback)
+    : match_(match), playback_(playback), shown_(match, playback) {
+    shown_.refresh();
+}
+
+void TableController::act(Action action) {
+    ++revision_;
+    switch (action) {
+        case Action::kHelp:
+            help_ = !help_;
+            break;
+        case Action::kFrameRate:
+            frame_rate_ = !frame_rate_;
+            break;
+        case Action::kStepMode:
+            step_mode_ = !step_mode_;
+            trail_.clear();
+            break;
+        case Action::kCollisionMode:
+            collision_mode_ = !collision_mode_;
+            break;
+        case Action::kMute:
+            muted_ = !muted_;
+            break;
+        case Action::kHotSeat:
+            match_.toggle_hot_seat();
+            break;
+        case Action::kGo:
+            go();
+            break;
+        case Action::kExit:
+        case Action::kScreenshot:
+        case Action::kCopyCode:
+            break;
+    }
+}
+
+void TableController::go() {
+    if (help_) {
+        help_ = false;
+    } else if (match_.info().link == Link::kLost || match_.info().link == Link::kConnecting) {
+        match_.retry_now();
+    } else if (step_mode_ && !playback_.idle()) {
+        take_step();
+    } else if (shown_.result()) {
+        match_.ask_new_game();
+    } else if (shown_.acting_seat()) {
+        match_.shoot(match_.info().table->aim);
+    }
+}
+
+void TableController::take_step() {
+    const Shot* shot = playback_.shot();
+    const std::uint32_t number = shot->number;
+    std::vector<Vec2> before;
+    for (const BallView& ball : shown_.balls())
+        before.push_back(ball.r);
+    if (!playback_.step()) {
+        show_status("The next step has not been received yet");
+        return;
+    }
+    take_passed();
+    shown_.refresh();
+    std::vector<Vec2> after;
+    for (const BallView& ball : shown_.balls())
+        after.push_back(ball.r);
+    const bool same_shot = playback_.idle() || playback_.shot()->number == number;
+    if (same_shot) trail_.step(before, after);
+}
+
+void TableController::update(double dt, double now, const Steering& steering) {
+    now_ = now;
+    match_.poll(now);
+    if (std::string notice = match_.take_notice(); !notice.empty()) show_status(std::move(notice));
+    if (!status_.empty() && now_ >= status_until_) {
+        status_.clear();
+        ++revision_;
+    }
+    advance(dt);
+    shown_.refresh();
+    announce_result();
+    pause_before_new_game();
+    steer(dt, steering);
+}
+
+void TableController::advance(double dt) {
+    if (!playback_.idle() && !step_mode_) {
+        playback_.advance(dt);
+        ++revision_;
+    }
+    take_passed();
+}
+
+void TableController::take_passed() {
+    for (const auto& passed : playback_.take_passed()) {
+        marks_.pass(passed);
+        if (const auto* event = std::get_if<ShotEvent>(&passed)) heard_.emplace_back(*event);
+        if (const auto* end = std::get_if<Playback::ShotFinished>(&passed))
+            shown_.shot_finished(end->shot);
+    }
+}
+
+void TableController::announce_result() {
+    const auto result = shown_.result();
+    if (result && !result_announced_)
+        heard_.emplace_back(GameEnded{tone_of(*result, match_.info())});
+    if (result.has_value() != result_announced_) ++revision_;
+    result_announced_ = result.has_value();
+}
+
+void TableController::pause_before_new_game() {
+    // In step mode time stands still, and a game that has ended can be looked at for as long as one
+    // likes.
+    if (!practice() || !shown_.result() || step_mode_) {
+        ended_at_.reset();
+        return;
+    }
+    if (!ended_at_) ended_at_ = now_;
+    if (now_ - *ended_at_ >= kNewGamePause) match_.ask_new_game();
+}
+
+void TableController::steer(double dt, const Steering& steering) {
+    if (steering.idle() || !shown_.acting_seat()) return;
+    if (steering.slide != 0) place_cue_ball(cue_ball() + Vec2{0, steering.slide * dt});
+    if (steering.turn != 0) match_.aim(rotated(match_.info().table->aim, steering.turn * dt));
+}
+
+void TableController::place_cue_ball(Vec2 position) {
+    const auto& table = *match_.info().table;
+    const Ruleset* rules = find_ruleset(table.game);
+    if (!table.may_place || rules == nullptr) return;
+    const auto place = rules->nearest_placement(game_state_of(table), position);
+    if (place && *place != cue_ball()) match_.place_cue_ball(*place);
+}
+
+void TableController::pointer_moved(Vec2 r) {
+    if (help_ || !shown_.acting_seat()) return;
+    if (dragging_) {
+        place_cue_ball(r);
+    } else {
+        aim_at(r);
+    }
+}
+
+void TableController::pointer_pressed(Vec2 r) {
+    if (help_) {
+        act(Action::kHelp);
+        return;
+    }
+    if (!shown_.acting_seat()) return;
+    const auto& table = *match_.info().table;
+    const bool on_cue_ball = norm(r - cue_ball()) <= table.scene.ball.radius;
+    dragging_ = on_cue_ball && table.may_place;
+    if (!dragging_) match_.shoot(table.aim);
+}
+
+void TableController::pointer_released() {
+    dragging_ = false;
+}
+
+void TableController::aim_at(Vec2 r) {
+    const Vec2 direction = r - cue_ball();
+    // From within the ball the aim would spin about with the smallest move.
+    if (norm(direction) > match_.info().table->scene.ball.radius) match_.aim(normalized(direction));
+}
+
+void TableController::show_status(std::string line) {
+    status_ = std::move(line);
+    status_until_ = now_ + kStatusTime;
+    ++revision_;
+}
+
+std::vector<Heard> TableController::take_heard() {
+    return std::exchange(heard_, {});
+}
+
+bool TableController::animated() const {
+    return frame_rate_ || (!playback_.idle() && !step_mode_);
+}
+
+Vec2 TableController::cue_ball() const {
+    const auto& table = *match_.info().table;
+    return xy(table.scene.balls[table.cue_ball.value].state.r);
+}
+
+ViewState TableController::view() const {
+    const MatchInfo& info = match_.info();
+    ViewState view;
+    view.table = {end_game::kLength, end_game::kWidth, true, PocketModel::kEndGame};
+    if (const auto& table = shown_.table()) {
+        view.table = table->scene.table;
+        view.ball_radius = table->scene.ball.radius;
+        if (shown_.acting_seat() && table->may_place) view.base_line_x = cue_ball().x;
+    }
+    view.balls = shown_.balls();
+    view.aim = aim_view();
+    view.trail = trail_.rings();
+    if (collision_mode_) view.marks = marks_.marks();
+    view.match = match_view();
+    view.banner = banner(info, shown_);
+    view.status = status_;
+    view.hint = hint(info, shown_, step_mode_);
+    view.step_mode = step_mode_;
+    view.collision_mode = collision_mode_;
+    view.help = help_;
+    view.muted = muted_;
+    return view;
+}
+
+std::optional<AimView> TableController::aim_view() const {
+    const auto& table = shown_.table();
+    if (!table || !shown_.at_rest() || table->phase != protocol::Phase::kAiming)
+        return std::nullopt;
+    if (table->aim == Vec2{}) return std::nullopt;
+    return AimView{cue_ball(), table->aim, predict(table->scene, table->cue_ball, table->aim)};
+}
+
+MatchView TableController::match_view() const {
+    const MatchInfo& info = match_.info();
+    MatchView view;
+    view.link = info.link;
+    view.round_trip_ms = info.round_trip_ms;
+    const auto& table = shown_.table();
+    if (!table) return view;
+    view.code = practice() ? "" : shown_code(table->code);
+    view.spectators = table->spectators;
+    const bool has_turn =
+        table->phase == protocol::Phase::kAiming || table->phase == protocol::Phase::kPlaying;
+    if (has_turn) view.turn = table->turn;
+    for (std::size_t i = 0; i < kSeatCount; ++i) {
+        const auto& seat = table->seats[i];
+        view.seats[i] = {seat.taken ? seat.name : "", seat.connected, info.mine[i],
+                         seat.wants_rematch, seat.wins};
+    }
+    return view;
+}
+
+}  // namespace poolhall::client

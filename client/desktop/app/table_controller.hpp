@@ -1,0 +1,93 @@
+#pragma once
+
+#include "client/desktop/app/input.hpp"
+#include "client/desktop/app/overlays.hpp"
+#include "client/desktop/app/shown_table.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace poolhall::client {
+
+/// Something to be heard.
+struct GameEnded {
+    Tone tone = Tone::kNeutral;
+};
+
+using Heard = std::variant<ShotEvent, GameEnded>;
+
+/// Turns keys, mouse and time into commands to the match, and all that is known into what one frame
+/// shows. It needs neither window nor sound.
+class TableController {
+  public:
+    TableController(Match& match, Playback& playback);
+
+    static constexpr double kNewGamePause = 3;  ///< s after a practice game has ended
+    static constexpr double kStatusTime = 4;    ///< s that a status line stays
+
+    /// The actions that belong to the table; the window's own (exit, screenshot, copy) are ignored.
+    void act(Action action);
+    /// Lets `dt` s pass until `now` (s) with the keys held as given.
+    void update(double dt, double now, const Steering& steering);
+
+    // The mouse, in metres on the table.
+    void pointer_moved(Vec2 r);
+    void pointer_pressed(Vec2 r);
+    void pointer_released();
+
+    void show_status(std::string line);
+
+    [[nodiscard]] ViewState view() const;
+    /// What became audible since the last call.
+    [[nodiscard]] std::vector<Heard> take_heard();
+
+    /// Something on the screen changes by itself from frame to frame.
+    [[nodiscard]] bool animated() const;
+
+    [[nodiscard]] bool shows_frame_rate() const { return frame_rate_; }
+
+    [[nodiscard]] bool muted() const { return muted_; }
+
+    /// Rises whenever what view() gives may have changed.
+    [[nodiscard]] std::uint64_t revision() const { return revision_ + match_.info().revision; }
+
+  private:
+    void go();
+    void take_step();
+    void steer(double dt, const Steering& steering);
+    void place_cue_ball(Vec2 position);
+    void aim_at(Vec2 r);
+    void advance(double dt);
+    void take_passed();
+    void announce_result();
+    void pause_before_new_game();
+
+    [[nodiscard]] bool practice() const { return match_.info().link == Link::kOffline; }
+
+    [[nodiscard]] Vec2 cue_ball() const;
+    [[nodiscard]] std::optional<AimView> aim_view() const;
+    [[nodiscard]] MatchView match_view() const;
+
+    Match& match_;
+    Playback& playback_;
+    ShownTable shown_;
+    StepTrail trail_;
+    CollisionMarks marks_;
+    std::vector<Heard> heard_;
+
+    bool help_ = false;
+    bool frame_rate_ = false;
+    bool step_mode_ = false;
+    bool collision_mode_ = false;
+    bool muted_ = false;
+    bool dragging_ = false;  ///< the cue ball, by the mouse
+    bool result_announced_ = false;
+    std::optional<double> ended_at_;  ///< when the end of a practice game was seen, s
+    std::string status_;
+    double status_until_ = 0;
+    double now_ = 0;
+    std::uint64_t revision_ = 0;
+};
+
+}  // namespace poolhall::client

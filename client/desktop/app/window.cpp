@@ -1,0 +1,69 @@
+#include "client/desktop/app/window.hpp"
+
+#include "client/desktop/view/table_view.hpp"
+
+namespace poolhall::client {
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+    throw WindowError(what + ": " + SDL_GetError());
+}
+
+SDL_Renderer* make_renderer(SDL_Window* window) {
+    SDL_Renderer* renderer = SDL_CreateRenderer(window, -1, SDL_RENDERER_PRESENTVSYNC);
+    return renderer != nullptr ? renderer : SDL_CreateRenderer(window, -1, SDL_RENDERER_SOFTWARE);
+}
+
+bool waits_for_display(SDL_Renderer* renderer) {
+    SDL_RendererInfo info;
+    return SDL_GetRendererInfo(renderer, &info) == 0 &&
+           (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0;
+}
+
+}  // namespace
+
+Window::Sdl::Sdl() {
+    SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
+    SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_EVENTS) != 0) fail("no display");
+}
+
+Window::Sdl::~Sdl() {
+    SDL_Quit();
+}
+
+Window::Window(const std::string& title, int width, int height) : title_(title) {
+    constexpr int kAnywhere = SDL_WINDOWPOS_CENTERED;
+    window_.reset(SDL_CreateWindow(title.c_str(), kAnywhere, kAnywhere, width, height,
+                                   SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+    if (!window_) fail("no window");
+    SDL_SetWindowMinimumSize(window_.get(), kMinWindowWidth, kMinWindowHeight);
+    renderer_.reset(make_renderer(window_.get()));
+    if (!renderer_) fail("no renderer");
+    paced_by_display_ = waits_for_display(renderer_.get());
+}
+
+SDL_FPoint Window::to_pixels(int x, int y) const {
+    int width = 1;
+    int height = 1;
+    int pixel_width = 1;
+    int pixel_height = 1;
+    SDL_GetWindowSize(window_.get(), &width, &height);
+    SDL_GetRendererOutputSize(renderer_.get(), &pixel_width, &pixel_height);
+    const auto scaled = [](int at, int pixels, int points) {
+        return static_cast<float>(at) * static_cast<float>(pixels) / static_cast<float>(points);
+    };
+    return {scaled(x, pixel_width, width), scaled(y, pixel_height, height)};
+}
+
+bool Window::out_of_sight() const {
+    return (SDL_GetWindowFlags(window_.get()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0;
+}
+
+void Window::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    SDL_SetWindowTitle(window_.get(), title.c_str());
+}
+
+}  // namespace poolhall::client

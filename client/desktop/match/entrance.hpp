@@ -1,0 +1,37 @@
+#pragma once
+
+#include "client/desktop/net/token_store.hpp"
+#include "protocol/messages.hpp"
+
+#include <optional>
+#include <string>
+
+namespace poolhall::client {
+
+/// What the player asked for on the command line.
+struct Wish {
+    std::string server;  ///< "host:port"; tokens are kept for it
+    std::string code;    ///< as normalize_code gives it; empty: a new match
+    std::string name;
+    bool watch = false;  ///< as a spectator
+};
+
+/// How to get into the match, first and after every loss of the connection: by a token for a seat
+/// held before, as a newcomer, or as a spectator.
+class Entrance {
+  public:
+    Entrance(Wish wish, TokenStore& tokens) : wish_(std::move(wish)), tokens_(tokens) {}
+
+    /// What to ask a server that has just said welcome.
+    [[nodiscard]] protocol::ClientBody request();
+    void entered(const protocol::Joined& joined);
+    /// What to ask instead after a refusal; nothing if there is no other way in.
+    [[nodiscard]] std::optional<protocol::ClientBody> request_after(protocol::RejectCode refusal);
+
+  private:
+    Wish wish_;  ///< its code becomes that of the match once it is known
+    TokenStore& tokens_;
+    std::string token_;
+};
+
+}  // namespace poolhall::client
