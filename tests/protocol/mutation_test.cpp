@@ -9,6 +9,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,9 @@ constexpr int kMutations = 20000;
 struct Target {
     const char* name;
     void (*run)(std::string_view bytes);
+
+    /// The test's name must not hold an address, which changes from run to run.
+    friend void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
 };
 
 class Mutations : public ::testing::TestWithParam<Target> {};
