@@ -47,6 +47,13 @@ void Canvas::copy_opaque(SDL_Texture* texture, const SDL_FRect& target) {
     SDL_RenderCopyF(renderer_, texture, nullptr, &target);
 }
 
+void Canvas::veil(SDL_Color colour) {
+    flush();
+    SDL_SetRenderDrawBlendMode(renderer_, SDL_BLENDMODE_BLEND);
+    SDL_SetRenderDrawColor(renderer_, colour.r, colour.g, colour.b, colour.a);
+    SDL_RenderFillRect(renderer_, nullptr);
+}
+
 TexturePtr Canvas::texture_of(const Image& image) {
     TexturePtr texture(SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_ARGB8888,
                                          SDL_TEXTUREACCESS_STATIC, image.width, image.height));

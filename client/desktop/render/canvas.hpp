@@ -39,6 +39,9 @@ class Canvas {
     /// Draws the texture, its alpha ignored, at `target` (px).
     void copy_opaque(SDL_Texture* texture, const SDL_FRect& target);
 
+    /// Covers all that has been drawn so far.
+    void veil(SDL_Color colour);
+
     /// Nothing when the device cannot hold it.
     [[nodiscard]] TexturePtr texture_of(const Image& image);
 

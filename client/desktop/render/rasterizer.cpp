@@ -136,6 +136,17 @@ std::uint32_t over(Rgba source, std::uint32_t below) {
     return pack(mixed);
 }
 
+bool same(SDL_Color a, SDL_Color b) {
+    return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+}
+
+// One colour over pixels that are mostly empty still: the inside of large shapes.
+void fill(std::uint32_t* from, const std::uint32_t* to, Rgba colour) {
+    const std::uint32_t packed = pack(colour);
+    for (; from != to; ++from)
+        *from = *from == 0 ? packed : over(colour, *from);
+}
+
 }  // namespace
 
 void Rasterizer::resize(int width, int height) {
@@ -164,13 +175,19 @@ void Rasterizer::draw_triangle(const SDL_Vertex& a, const SDL_Vertex& b, const S
     const int last =
         static_cast<int>(std::min<std::int64_t>(floor_div(bottom, kSubpixels), layer_.height - 1));
     const Gradient colour(a, b, c);
+    const bool uniform = same(a.color, b.color) && same(a.color, c.color);
     for (int y = first; y <= last; ++y) {
         const Span span = span_of(edges, y, {0, layer_.width});
         if (span.from >= span.to) continue;
-        Rgba here = colour.at(static_cast<float>(span.from) + 0.5F, static_cast<float>(y) + 0.5F);
         std::uint32_t* row = layer_.row(y);
-        for (int x = span.from; x < span.to; ++x, here = here + colour.by_x)
-            row[x] = over(here, row[x]);
+        if (uniform) {
+            fill(row + span.from, row + span.to, colour.origin);
+        } else {
+            Rgba here =
+                colour.at(static_cast<float>(span.from) + 0.5F, static_cast<float>(y) + 0.5F);
+            for (int x = span.from; x < span.to; ++x, here = here + colour.by_x)
+                row[x] = over(here, row[x]);
+        }
         Extent& extent = extents_[static_cast<std::size_t>(y)];
         extent = extent.from < extent.to
                      ? Extent{std::min(extent.from, span.from), std::max(extent.to, span.to)}

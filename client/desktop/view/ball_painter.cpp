@@ -35,15 +35,15 @@ float cover(float distance, float pixel) {
 
 float eight(float x, float y, float pixel) {
     const auto ring = [&](float centre, float radius) {
-        constexpr float kHalfStroke = 0.047F;
+        constexpr float kHalfStroke = 0.055F;
         return cover(std::abs(std::hypot(x, y - centre) - radius) - kHalfStroke, pixel);
     };
-    return std::max(ring(0.145F, 0.115F), ring(-0.125F, 0.15F));
+    return std::max(ring(0.165F, 0.13F), ring(-0.145F, 0.17F));
 }
 
 // Around the poles of the ball's own z axis.
 Rgb numbered(Rgb body, const Vec3& n, bool digit, float pixel) {
-    constexpr float kCircle = 0.46F;
+    constexpr float kCircle = 0.53F;
     const auto x = static_cast<float>(n.z < 0 ? -n.x : n.x);
     const auto y = static_cast<float>(n.y);
     const float circle = cover(std::hypot(x, y) - kCircle, pixel);
@@ -52,12 +52,17 @@ Rgb numbered(Rgb body, const Vec3& n, bool digit, float pixel) {
     return mix(body, face, circle);
 }
 
+// Where three axes at right angles leave the ball. They are askew, so that a ball set down shows
+// its dots.
 Rgb dotted(const Vec3& n, float pixel) {
-    constexpr float kDotRadius = 0.12F;
-    const auto off_axis = [](double a, double b) {
-        return static_cast<float>(std::sqrt(a * a + b * b));
-    };
-    const float nearest = std::min({off_axis(n.y, n.z), off_axis(n.x, n.z), off_axis(n.x, n.y)});
+    constexpr float kDotRadius = 0.11F;
+    constexpr Vec3 kAxes[] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
+    float nearest = 1;
+    for (const Vec3& axis : kAxes) {
+        const double along = n.x * axis.x + n.y * axis.y + n.z * axis.z;
+        nearest =
+            std::min(nearest, static_cast<float>(std::sqrt(std::max(0.0, 1 - along * along))));
+    }
     return mix(kIvory, kDot, cover(nearest - kDotRadius, pixel));
 }
 

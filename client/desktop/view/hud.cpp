@@ -50,7 +50,6 @@ std::string second_line(const SeatPanel& panel, bool online) {
         if (!line.empty()) line += ", ";
         line += part;
     };
-    if (seat.mine) add("you");
     if (seat.wants_rematch) add("wants a rematch");
     if (panel.turn) add("to shoot");
     return line;
@@ -65,6 +64,16 @@ float draw_wins(Text& text, const Layout& layout, const SeatPanel& panel) {
     text.draw(panel.seat.wins == 1 ? "win" : "wins", {text_size(layout, 12), kDim},
               {x, box.y + 0.76F * box.h, Align::kCentre});
     return 60 * layout.ui;
+}
+
+void draw_name(Text& text, const Layout& layout, const SeatView& seat, const TextPlace& place) {
+    const bool open = seat.name.empty();
+    const TextStyle small{text_size(layout, 14), kGold};
+    const float mark = seat.mine ? text.width("you", small) + 10 * layout.ui : 0;
+    const TextStyle style{text_size(layout, 19), open ? kDim : kBright, !open};
+    const float width = text.draw(open ? "Open seat" : seat.name, style,
+                                  {place.x, place.y, place.align, place.max_width - mark});
+    if (seat.mine) text.draw("you", small, {place.x + width + 10 * layout.ui, place.y + 1});
 }
 
 void draw_seat(Canvas& canvas, Text& text, const Layout& layout, const SeatPanel& panel,
@@ -82,9 +91,7 @@ void draw_seat(Canvas& canvas, Text& text, const Layout& layout, const SeatPanel
     const float room = box.x + box.w - wins - left - 6 * ui;
     const float first_row = box.y + 0.33F * box.h;
     const float second_row = box.y + 0.72F * box.h;
-    text.draw(open ? "Open seat" : panel.seat.name,
-              {text_size(layout, 19), open ? kDim : kBright, !open},
-              {left, first_row, Align::kLeft, room});
+    draw_name(text, layout, panel.seat, {left, first_row, Align::kLeft, room});
     float x = left;
     if (online && !open) {
         add_connection_dot(shapes, {x + 5 * ui, second_row}, 5 * ui, panel.seat.connected);

@@ -140,10 +140,10 @@ void add_collision_marks(Mesh& mesh, const Layout& layout,
 }
 
 void add_mode_icons(Mesh& mesh, const Layout& layout, const ViewState& state) {
-    const float radius = std::max(0.95F * layout.ball, 8.0F);
-    const float gap = 0.5F * radius;
+    const float radius = std::max(0.86F * layout.ball, 8.0F);
+    const float gap = 0.25F * radius;
     const float y = layout.table.y + layout.table.h - kWoodWidth / 2 * layout.ball;
-    float x = layout.cloth.x + 2.9F * layout.ball + radius / 2;
+    float x = layout.cloth.x + 2.55F * layout.ball + radius;
     if (state.step_mode) {
         add_badge(mesh, {x, y}, radius);
         add_footprint(mesh, {x - 0.33F * radius, y + 0.18F * radius}, 0.95F * radius, kBlackTint);

@@ -69,14 +69,18 @@ void add_symbol(Mesh& mesh, SDL_FPoint middle, float radius, Tone tone) {
 }
 
 void add_panel(Mesh& mesh, const SDL_FRect& box, float radius, SDL_Color edge) {
-    for (const float spread : {14.0F, 9.0F, 5.0F, 2.0F}) {
-        const float grown = spread * radius / 18;
-        add_rounded_rect(
-            mesh,
-            {box.x - grown, box.y - grown + 0.3F * grown, box.w + 2 * grown, box.h + 2 * grown},
-            radius + grown, {0, 0, 0, 26});
+    // A soft shadow, of frames rather than whole rectangles: large areas are dear where there is no
+    // graphics card.
+    constexpr int kSteps = 6;
+    const float step = radius / 8;
+    for (int i = 0; i < kSteps; ++i) {
+        const float grown = (static_cast<float>(i) + 0.5F) * step;
+        const float fade = 1 - static_cast<float>(i) / kSteps;
+        add_rounded_frame(
+            mesh, {box.x - grown, box.y - 0.6F * grown, box.w + 2 * grown, box.h + 2 * grown},
+            radius + grown, {1.3F * step, {0, 0, 0, static_cast<Uint8>(90 * fade * fade)}});
     }
-    add_rounded_rect(mesh, box, radius, faded(kInk, 0.88F));
+    add_rounded_rect(mesh, box, radius, faded(kInk, 0.91F));
     add_rounded_frame(mesh, box, radius, {std::max(1.5F, radius / 9), edge});
 }
 
@@ -134,9 +138,8 @@ void draw_banner(Canvas& canvas, Text& text, const Layout& layout, const Banner&
 
 void draw_help(Canvas& canvas, Text& text, const Layout& layout) {
     const HelpGrid grid = help_grid(text, layout);
+    canvas.veil({0, 0, 0, 120});
     Mesh& shapes = canvas.shapes();
-    const SDL_FRect all{0, 0, static_cast<float>(layout.width), static_cast<float>(layout.height)};
-    add_rounded_rect(shapes, all, 1, {0, 0, 0, 120});
     add_panel(shapes, grid.box, std::min(16 * layout.ui, grid.row), {92, 100, 116, 255});
     const float left = grid.box.x + 1.2F * grid.row;
     float y = grid.box.y + 1.25F * grid.row;

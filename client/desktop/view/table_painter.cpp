@@ -18,6 +18,7 @@ constexpr float kShadow = 3;
 constexpr float kOuterRounding = 2.4F;
 constexpr Rgb kLeather{0.150F, 0.115F, 0.095F};
 constexpr Rgb kPit{0.010F, 0.012F, 0.014F};
+constexpr Rgb kBrass{0.66F, 0.50F, 0.25F};
 constexpr Rgb kPearl{0.93F, 0.90F, 0.80F};
 
 struct Point {
@@ -210,13 +211,16 @@ Rgb Painter::with_pocket(Rgb below, Point p) const {
 
     // The cloth bends down into the hole.
     Rgb colour = (1 - 0.55F * smooth_step(0.45F, 0.0F, beyond)) * below;
-    const float rim_cover = cover(beyond - kRim) * smooth_step(-0.1F, 0.25F, beyond_nose(p));
-    const float round = 1 - std::abs(2 * beyond / kRim - 1);
-    const Rgb leather = (0.75F + 0.9F * round * (0.6F + facing_light)) * kLeather;
-    colour = mix(colour, leather, rim_cover);
+    // The leather is as wide as can be at the back and ends at the noses; a brass band holds it.
+    const float rim = kRim * smooth_step(-0.15F, 1.1F, beyond_nose(p));
+    const float round = rim > 0 ? 1 - std::abs(2 * beyond / rim - 1) : 0;
+    const Rgb leather = (0.75F + 0.9F * std::max(round, 0.0F) * (0.6F + facing_light)) * kLeather;
+    colour = mix(colour, leather, cover(beyond - rim));
+    const float band = rim > 0.1F ? cover(std::abs(beyond - rim) - 0.055F) : 0;
+    colour = mix(colour, (0.70F + 0.45F * facing_light) * kBrass, band);
 
     const float wall = smooth_step(0.55F, 1.0F, distance / hole->radius);
-    const Rgb inside = mix(kPit, (0.7F - 0.8F * facing_light) * kLeather, 0.75F * wall * wall);
+    const Rgb inside = mix(kPit, (1.0F - 1.1F * facing_light) * kLeather, 0.8F * wall * wall);
     return mix(colour, inside, cover(beyond));
 }
 
