@@ -16,6 +16,8 @@ constexpr int kMaxRounds = 1000;
 /// Pivots smaller than this (of entries of size 2) mean that a contact is redundant; speeds within
 /// this share of the group's are rounding.
 constexpr double kSingular = 1e-12;
+/// Share of the group's speed that double-double arithmetic leaves of zero, generously.
+constexpr double kRounding = 0x1p-90;
 
 Vec2 normal_of(const Contact& contact, const std::vector<MovingBall>& balls) {
     if (contact.kind == Contact::Kind::kRail) return outward_normal(contact.rail);
@@ -135,12 +137,19 @@ void add(Vec2DoubleDouble& sum, DoubleDouble factor, Vec2 v) {
     sum.y = sum.y + factor * DoubleDouble{v.y};
 }
 
+/// The double nearest to v + change; nothing where all but rounding of the double-doubles cancels.
+double changed(double v, DoubleDouble change, double rounding) {
+    const double sum = value(DoubleDouble{v} + change);
+    return std::abs(sum) <= rounding ? 0 : sum;
+}
+
 /// One round of generalized reflections over the given contacts, all of which approach. Impulses
 /// and their sums are taken in double-double and rounded once, so that the order of the contacts
 /// leaves no trace in the velocities.
 void reflect_together(std::span<const Contact> contacts, double e_rail,
                       std::vector<MovingBall>& balls) {
     const GroupProblem problem = problem_of(contacts, balls);
+    const double rounding = kRounding * problem.largest_q;
     const Row impulse = solve(problem);
     std::vector<Vec2DoubleDouble> change(balls.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -150,8 +159,8 @@ void reflect_together(std::span<const Contact> contacts, double e_rail,
         if (!rail) add(change[contacts[i].b], size, problem.normals[i]);
     }
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        balls[i].v.x = value(DoubleDouble{balls[i].v.x} + change[i].x);
-        balls[i].v.y = value(DoubleDouble{balls[i].v.y} + change[i].y);
+        balls[i].v.x = changed(balls[i].v.x, change[i].x, rounding);
+        balls[i].v.y = changed(balls[i].v.y, change[i].y, rounding);
     }
 }
 

@@ -22,6 +22,7 @@ ShotRun::ShotRun(const Scene& scene, double sample_hz, ShotTrace& trace)
     trace_.samples.clear();
     trace_.balls.assign(scene.balls.size(), FinalBall{});
     trace_.sample_hz = sample_hz;
+    if (sample_hz > 0) next_sample_ = 0;
     balls_.reserve(scene.balls.size());
     for (const SceneBall& ball : scene.balls)
         balls_.push_back({xy(ball.state.r), xy(ball.state.v)});
@@ -99,20 +100,16 @@ void ShotRun::sort_events_from(std::size_t first) {
 }
 
 void ShotRun::sample_between(double from, double to) {
-    if (trace_.sample_hz <= 0) return;
-    for (double due = next_sample_time(); due < to; due = next_sample_time()) {
+    for (; next_sample_ < to; set_next_sample()) {
         for (const MovingBall& ball : balls_)
-            trace_.samples.push_back(ball.r + (due - from) * ball.v);
-        ++samples_;
+            trace_.samples.push_back(ball.r + (next_sample_ - from) * ball.v);
     }
 }
 
 void ShotRun::sample_at(double t) {
-    if (trace_.sample_hz <= 0) return;
-    while (next_sample_time() <= t) {
+    for (; next_sample_ <= t; set_next_sample()) {
         for (const MovingBall& ball : balls_)
             trace_.samples.push_back(ball.r);
-        ++samples_;
     }
 }
 
@@ -130,7 +127,7 @@ void ShotRun::finish(Outcome outcome, double t, std::uint64_t ticks) {
     // The last sample shows the end: the first that is due at or after it.
     if (trace_.sample_hz > 0 &&
         (samples_ == 0 || static_cast<double>(samples_ - 1) / trace_.sample_hz < trace_.duration)) {
-        sample_at(next_sample_time());
+        sample_at(next_sample_);
     }
     trace_.hash = hash_of(trace_);
 }

@@ -65,14 +65,14 @@ class ShotRun {
     [[nodiscard]] BallState state_of(std::size_t ball, const MovingBall& moving) const;
     ShotEvent& add_event(double t, EventKind kind, std::size_t ball, const MovingBall& before);
 
-    [[nodiscard]] double next_sample_time() const {
-        return static_cast<double>(samples_) / trace_.sample_hz;
-    }
+    /// After a sample was written. Times are k / hz, not a sum.
+    void set_next_sample() { next_sample_ = static_cast<double>(++samples_) / trace_.sample_hz; }
 
     const Scene& scene_;
     ShotTrace& trace_;
     std::vector<MovingBall> balls_;
     std::uint64_t samples_ = 0;
+    double next_sample_ = std::numeric_limits<double>::infinity();  ///< s; when it is due
 };
 
 }  // namespace poolhall

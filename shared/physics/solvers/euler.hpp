@@ -130,7 +130,7 @@ class EulerSolver {
         const auto& rails = set_.template effect<Rails>();
         for (std::size_t i = 0; i < run_.balls().size(); ++i) {
             const MovingBall& ball = run_.balls()[i];
-            if (!ball.in_play) continue;
+            if (!ball.in_play || !rails.may_reach(ball.r, ball.v, first_)) continue;
             for (const auto& hit :
                  {rails.next_short_rail(ball.r, ball.v), rails.next_long_rail(ball.r, ball.v)}) {
                 if (hit && is_first(hit->t))

@@ -36,7 +36,7 @@ class OverlapSolver {
         separate_pairs(dt, end);
         if constexpr (Set::template kHas<Rails>) {
             for (std::size_t i = 0; i < run_.balls().size(); ++i) {
-                if (!bounce(i, end)) return Outcome::kStalled;
+                if (!bounce(i, dt, end)) return Outcome::kStalled;
             }
         }
         if constexpr (Set::template kHas<EndGamePockets>) capture(end);
@@ -82,15 +82,15 @@ class OverlapSolver {
 
     /// Text, 5.2.2, repeated until no rail is crossed: a fast ball can cross the table within a
     /// tick.
-    bool bounce(std::size_t i, double end) {
+    bool bounce(std::size_t i, double dt, double end) {
         MovingBall& ball = run_.balls()[i];
         if (!ball.in_play) return true;
         const Vec2 edge = set_.template effect<Rails>().edge();
         for (int round = 0; round < kMaxReflections; ++round) {
             if (std::abs(ball.r.x) > edge.x) {
-                reflect(i, ball.r.x > 0 ? Rail::kEast : Rail::kWest, end);
+                reflect(i, ball.r.x > 0 ? Rail::kEast : Rail::kWest, dt, end);
             } else if (std::abs(ball.r.y) > edge.y) {
-                reflect(i, ball.r.y > 0 ? Rail::kNorth : Rail::kSouth, end);
+                reflect(i, ball.r.y > 0 ? Rail::kNorth : Rail::kSouth, dt, end);
             } else {
                 return true;
             }
@@ -98,7 +98,7 @@ class OverlapSolver {
         return false;
     }
 
-    void reflect(std::size_t i, Rail rail, double end) {
+    void reflect(std::size_t i, Rail rail, double dt, double end) {
         MovingBall& ball = run_.balls()[i];
         const auto& rails = set_.template effect<Rails>();
         const bool short_rail = rail == Rail::kEast || rail == Rail::kWest;
@@ -107,15 +107,21 @@ class OverlapSolver {
         const double edge = short_rail ? rails.edge().x : rails.edge().y;
         const double wall = r > 0 ? edge : -edge;
         const double beyond = r - wall;
-        const bool outward = v * beyond > 0;
-        const double since = outward ? beyond / v : 0;
-        MovingBall met = ball;
-        met.r = ball.r - since * ball.v;
-        r = wall - rails.restitution() * beyond;
+        const double back = wall - rails.restitution() * beyond;
         // An impact within this tick may have moved the ball beyond the rail on its way back.
-        if (!outward) return;
+        if (v * beyond <= 0) {
+            r = back;
+            return;
+        }
+        // Never before this tick, even where an impact has left the ball beyond the rail.
+        const double since = std::min(beyond / v, dt);
+        const Vec2 place{short_rail ? back : ball.r.x, short_rail ? ball.r.y : back};
+        ball.r = ball.r - since * ball.v;
+        r = wall;
+        const MovingBall met = ball;
         v = -rails.restitution() * v;
         run_.record_rail(end - since, i, rail, met);
+        ball.r = place;
     }
 
     void capture(double end) {
