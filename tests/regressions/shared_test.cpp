@@ -1,0 +1,77 @@
+// One test a bug of the simulation that was found and mended.
+
+#include "shared/physics/contact.hpp"
+#include "shared/physics/time_of_impact.hpp"
+#include "tests/shared/scenes.hpp"
+#include "tests/shared/traces.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace poolhall {
+namespace {
+
+constexpr double kDiameter = 2 * BallSpec{}.radius;
+
+TEST(Regression, WayBackFromAnOverlapBelowRoundingIsNotNan) {
+    // The offset rounded to more than the diameter, and the root's argument to less than nothing.
+    testing::Random random(1);
+    for (int i = 0; i < 100000; ++i) {
+        const Vec2 v = random.direction();
+        const Vec2 along = normalized(v);
+        const Vec2 c = std::nextafter(kDiameter, 0) * Vec2{-along.y, along.x};
+        ASSERT_FALSE(std::isnan(time_since_impact({{}, {}}, {c, v}, kDiameter))) << i;
+    }
+}
+
+TEST(Regression, WayBackAtTheSlowestSpeedIsNotNan) {
+    Scene scene = testing::scene_of({{0, 0}, {kDiameter - 0.5e-9, 0}});
+    scene.balls[0].state.v.x = 1e-200;
+    scene.solver.kind = SolverKind::kOverlap;
+    scene.limits.time = 0.1;
+    const ShotTrace trace = simulate(scene);
+    EXPECT_TRUE(std::isfinite(trace.balls[0].state.r.x));
+    EXPECT_TRUE(std::isfinite(trace.balls[1].state.r.x));
+}
+
+TEST(Regression, EventsAtTheEndOfATickDoNotLieBehindThoseOfTheNext) {
+    // Balls that reach a rail at the very end of a tick, and others that leave one with the next.
+    testing::Random random(2);
+    const Vec2 edge = inset(Table{}, BallSpec{}.radius);
+    for (int tick = 1; tick < 300; ++tick) {
+        const double end = tick / 30.0;
+        std::vector<Vec2> places;
+        for (int i = 0; i < 6; ++i)
+            places.push_back({0, -0.5 + 0.2 * i});
+        Scene scene = testing::scene_of(places);
+        for (SceneBall& ball : scene.balls)
+            ball.state.v.x = edge.x / (end * (1 + random.uniform(-2, 2) * 0x1p-52));
+        scene.limits.time = end + 0.1;
+        double last = 0;
+        for (const ShotEvent& event : simulate(scene).events) {
+            ASSERT_LE(last, event.t) << "tick " << tick;
+            last = event.t;
+        }
+    }
+}
+
+TEST(Regression, VelocitiesOfAGroupDoNotDependOnTheOrderOfItsContacts) {
+    testing::Random random(3);
+    const double half_root_three = std::sqrt(3.0) / 2;
+    for (int i = 0; i < 1000; ++i) {
+        std::vector<MovingBall> balls(3);
+        balls[0].v = {1, random.uniform(-0.2, 0.2)};
+        balls[1].r = kDiameter * Vec2{half_root_three, 0.5};
+        balls[2].r = kDiameter * Vec2{half_root_three, -0.5};
+        std::vector<MovingBall> turned = balls;
+        const Contact north{Contact::Kind::kBalls, 0, 1, Rail::kNorth};
+        const Contact south{Contact::Kind::kBalls, 0, 2, Rail::kNorth};
+        ASSERT_TRUE(resolve(std::vector{north, south}, 1, balls));
+        ASSERT_TRUE(resolve(std::vector{south, north}, 1, turned));
+        for (std::size_t ball = 0; ball < 3; ++ball)
+            ASSERT_EQ(balls[ball].v, turned[ball].v) << i;
+    }
+}
+
+}  // namespace
+}  // namespace poolhall

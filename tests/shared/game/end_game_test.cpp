@@ -1,0 +1,225 @@
+#include "shared/game/end_game.hpp"
+
+#include "shared/physics/simulate.hpp"
+#include "tests/shared/random.hpp"
+#include "tests/shared/traces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace poolhall {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+const Ruleset& kRules = kEndGameRules;
+
+GameState new_game() {
+    return kRules.new_game(Seat{0});
+}
+
+double edge_y() {
+    return inset({end_game::kLength, end_game::kWidth}, BallSpec{}.radius).y;
+}
+
+/// A game whose balls are at the given places.
+GameState game_at(Vec2 cue, Vec2 eight) {
+    GameState state = new_game();
+    set_xy(state.scene.balls[0].state.r, cue);
+    set_xy(state.scene.balls[1].state.r, eight);
+    return state;
+}
+
+/// The outcome of the first of many random shots from random places that `wanted` accepts.
+ShotOutcome find_shot(const std::function<bool(const ShotOutcome&)>& wanted) {
+    testing::Random random(8);
+    for (int i = 0; i < 20000; ++i) {
+        const GameState state = game_at({random.uniform(-0.7, -0.1), random.uniform(-0.3, 0.3)},
+                                        {random.uniform(0.1, 0.7), random.uniform(-0.3, 0.3)});
+        ShotOutcome outcome = kRules.play(state, {random.direction()});
+        if (wanted(outcome)) return outcome;
+    }
+    ADD_FAILURE() << "no such shot";
+    return {};
+}
+
+std::optional<double> time_pocketed(const ShotOutcome& outcome, std::uint16_t ball) {
+    for (const ShotEvent& event : testing::events_of(outcome.trace, EventKind::kBallPocket)) {
+        if (event.balls[0].value == ball) return event.t;
+    }
+    return std::nullopt;
+}
+
+TEST(EndGame, StartsAsTheOriginal) {
+    const GameState state = kRules.new_game(Seat{1});
+    EXPECT_FALSE(check(state.scene));
+    EXPECT_EQ(Seat{1}, state.turn);
+    EXPECT_FALSE(state.over);
+    EXPECT_EQ(0U, state.shots);
+    EXPECT_NEAR(1.550, state.scene.table.length, 5e-4);
+    EXPECT_NEAR(0.720, state.scene.table.width, 5e-4);
+    ASSERT_EQ(2U, state.scene.balls.size());
+    EXPECT_EQ("cue", state.scene.balls[state.cue_ball.value].id);
+    // x = 295 and 732 of 1024 px, the playfield from 78 to 946.
+    EXPECT_NEAR((295 - 512) * end_game::kPixel, state.scene.balls[0].state.r.x, 1e-15);
+    EXPECT_NEAR((732 - 512) * end_game::kPixel, state.scene.balls[1].state.r.x, 1e-15);
+    EXPECT_NEAR(2.679, end_game::kShotSpeed, 5e-4);
+}
+
+TEST(EndGame, CueBallMovesOnTheBaseLineBetweenTheRails) {
+    GameState state = new_game();
+    EXPECT_FALSE(kRules.place_cue_ball(state, {end_game::kBaseLineX, 0.2}));
+    EXPECT_EQ((Vec3{end_game::kBaseLineX, 0.2, 0}), state.scene.balls[0].state.r);
+    EXPECT_FALSE(kRules.place_cue_ball(state, {end_game::kBaseLineX + 1e-7, -edge_y()}));
+    EXPECT_EQ((Vec3{end_game::kBaseLineX, -edge_y(), 0}), state.scene.balls[0].state.r);
+    EXPECT_FALSE(check(state.scene));
+}
+
+TEST(EndGame, PlacesOffTheBaseLineOrBeyondTheRailsAreRefusedWithoutAChange) {
+    for (const Vec2 place :
+         {Vec2{end_game::kBaseLineX + 0.01, 0}, Vec2{0, 0},
+          Vec2{end_game::kBaseLineX, std::nextafter(edge_y(), 1)}, Vec2{end_game::kBaseLineX, -1},
+          Vec2{kNan, 0}, Vec2{end_game::kBaseLineX, kNan}}) {
+        GameState state = new_game();
+        EXPECT_EQ(Illegal::kOutOfPlace, kRules.place_cue_ball(state, place));
+        EXPECT_EQ(new_game(), state);
+    }
+}
+
+TEST(EndGame, NearestPlaceIsOnTheBaseLineAndAllowed) {
+    GameState state = new_game();
+    for (const Vec2 wish : {Vec2{0, 0.1}, Vec2{-5, 9}, Vec2{3, -9}}) {
+        const Vec2 place = kRules.nearest_placement(state, wish).value();
+        EXPECT_EQ(end_game::kBaseLineX, place.x);
+        EXPECT_EQ(std::clamp(wish.y, -edge_y(), edge_y()), place.y);
+        EXPECT_FALSE(kRules.place_cue_ball(state, place));
+    }
+}
+
+TEST(EndGame, CueBallStaysPutAfterTheFirstShot) {
+    GameState state = kRules.play(new_game(), {{-1, 0}}).state;
+    ASSERT_FALSE(state.over);
+    EXPECT_EQ(Illegal::kNotPlaceable, kRules.place_cue_ball(state, {end_game::kBaseLineX, 0}));
+    EXPECT_FALSE(kRules.nearest_placement(state, {end_game::kBaseLineX, 0}));
+}
+
+TEST(EndGame, AimPointsAtTheEightBall) {
+    GameState state = new_game();
+    EXPECT_EQ(0, kRules.default_aim(state).y);
+    EXPECT_GT(kRules.default_aim(state).x, 0);
+    ASSERT_FALSE(kRules.place_cue_ball(state, {end_game::kBaseLineX, 0.25}));
+    EXPECT_EQ((Vec2{end_game::kFootSpotX - end_game::kBaseLineX, -0.25}),
+              kRules.default_aim(state));
+}
+
+TEST(EndGame, DirectionsThatAreZeroOrNotFiniteAreRefused) {
+    const GameState state = new_game();
+    for (const Vec2 bad : {Vec2{}, Vec2{-0.0, 0}, Vec2{kNan, 1}, Vec2{1, kNan},
+                           Vec2{std::numeric_limits<double>::infinity(), 0}})
+        EXPECT_EQ(Illegal::kBadDirection, kRules.check_shot(state, {bad}));
+    EXPECT_FALSE(kRules.check_shot(state, {{5e-324, 0}}));
+    EXPECT_FALSE(kRules.check_shot(state, {{1e300, -1e300}}));
+}
+
+TEST(EndGame, ShotThatSinksNothingPassesTheTurn) {
+    const ShotOutcome outcome = kRules.play(new_game(), {{-1, 0}});
+    EXPECT_EQ(Verdict::kTurnPasses, outcome.ruling.verdict);
+    EXPECT_EQ(Seat{0}, outcome.ruling.shooter);
+    EXPECT_EQ(Seat{1}, outcome.ruling.next);
+    EXPECT_FALSE(outcome.ruling.winner);
+    EXPECT_EQ(outcome.trace.duration, outcome.ruling.decided_at);
+    EXPECT_EQ(Seat{1}, outcome.state.turn);
+    EXPECT_EQ(1U, outcome.state.shots);
+    EXPECT_FALSE(outcome.state.scene.strike) << "a state between shots holds no strike";
+    EXPECT_FALSE(check(outcome.state.scene));
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(outcome.trace.balls[i].state, outcome.state.scene.balls[i].state);
+}
+
+TEST(EndGame, EightBallDownWinsOnceEverythingIsAtRest) {
+    const ShotOutcome outcome =
+        find_shot([](const ShotOutcome& shot) { return shot.ruling.verdict == Verdict::kWon; });
+    EXPECT_EQ(Seat{0}, outcome.ruling.winner);
+    EXPECT_EQ(outcome.trace.duration, outcome.ruling.decided_at);
+    EXPECT_GE(outcome.ruling.decided_at, time_pocketed(outcome, 1).value());
+    EXPECT_TRUE(outcome.state.over);
+    EXPECT_EQ(Seat{0}, outcome.state.winner);
+    EXPECT_EQ(Seat{0}, outcome.state.turn) << "who shot last";
+    ASSERT_EQ(1U, outcome.state.scene.balls.size());
+    EXPECT_EQ("cue", outcome.state.scene.balls[outcome.state.cue_ball.value].id);
+    EXPECT_EQ(Illegal::kGameOver, kRules.check_shot(outcome.state, {{1, 0}}));
+    EXPECT_FALSE(kRules.nearest_placement(outcome.state, {}));
+    EXPECT_NE((Vec2{}), kRules.default_aim(outcome.state));
+}
+
+TEST(EndGame, CueBallDownLosesAtOnce) {
+    const ShotOutcome outcome = find_shot([](const ShotOutcome& shot) {
+        return shot.ruling.verdict == Verdict::kScratch && !time_pocketed(shot, 1);
+    });
+    EXPECT_EQ(Seat{1}, outcome.ruling.winner);
+    EXPECT_EQ(time_pocketed(outcome, 0), outcome.ruling.decided_at);
+    EXPECT_TRUE(outcome.state.over);
+    EXPECT_EQ(2U, outcome.state.scene.balls.size()) << "the cue ball is back on the base line";
+    EXPECT_EQ(end_game::kBaseLineX, outcome.state.scene.balls[0].state.r.x);
+    EXPECT_FALSE(check(outcome.state.scene));
+}
+
+TEST(EndGame, CueBallDownLosesEvenIfTheEightBallIsDownAlready) {
+    const ShotOutcome outcome = find_shot([](const ShotOutcome& shot) {
+        const auto eight = time_pocketed(shot, 1);
+        const auto cue = time_pocketed(shot, 0);
+        return eight && cue && *eight < *cue;
+    });
+    EXPECT_EQ(Verdict::kScratch, outcome.ruling.verdict);
+    EXPECT_EQ(Seat{1}, outcome.ruling.winner);
+    EXPECT_EQ(time_pocketed(outcome, 0), outcome.ruling.decided_at);
+}
+
+TEST(EndGame, CueBallDownLosesEvenIfTheEightBallGoesDownLater) {
+    const ShotOutcome outcome = find_shot([](const ShotOutcome& shot) {
+        const auto eight = time_pocketed(shot, 1);
+        const auto cue = time_pocketed(shot, 0);
+        return eight && cue && *cue < *eight;
+    });
+    EXPECT_EQ(Verdict::kScratch, outcome.ruling.verdict);
+    EXPECT_EQ(time_pocketed(outcome, 0), outcome.ruling.decided_at);
+    EXPECT_EQ(1U, outcome.state.scene.balls.size());
+}
+
+TEST(EndGame, OutcomeHoldsTheSceneThatGivesTheTraceAgain) {
+    const ShotOutcome outcome = kRules.play(new_game(), {{3, 0.2}});
+    EXPECT_FALSE(check(outcome.scene));
+    const ShotTrace again = simulate(outcome.scene, kPlayoutHz);
+    EXPECT_EQ(outcome.trace.hash, again.hash);
+    EXPECT_EQ(outcome.trace.samples, again.samples);
+    EXPECT_EQ(kPlayoutHz, outcome.trace.sample_hz);
+}
+
+TEST(EndGame, GamesOfRandomShotsEndAndEveryStateIsASceneThatPassesItsCheck) {
+    testing::Random random(12);
+    for (int game = 0; game < 100; ++game) {
+        GameState state = new_game();
+        while (!state.over) {
+            ASSERT_LT(state.shots, 1000U);
+            const Seat shooter = state.turn;
+            const ShotOutcome outcome = kRules.play(state, {random.direction()});
+            ASSERT_EQ(Outcome::kRest, outcome.trace.outcome);
+            ASSERT_EQ(shooter, outcome.ruling.shooter);
+            ASSERT_EQ(outcome.state.over, outcome.ruling.winner.has_value());
+            state = outcome.state;
+            ASSERT_FALSE(check(state.scene));
+        }
+    }
+}
+
+TEST(Rulesets, AreFoundByName) {
+    EXPECT_EQ(&kEndGameRules, find_ruleset("end_game"));
+    EXPECT_EQ(nullptr, find_ruleset("snooker"));
+    EXPECT_EQ(nullptr, find_ruleset(""));
+    EXPECT_EQ(1U, all_rulesets().size());
+}
+
+}  // namespace
+}  // namespace poolhall

@@ -1,0 +1,78 @@
+#include "shared/physics/simulate.hpp"
+#include "tests/shared/scenes.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace poolhall {
+namespace {
+
+/// A scene for each way of calling for effects or not.
+std::vector<Scene> scenes_of_every_kind() {
+    testing::Random random(5);
+    std::vector<Scene> scenes;
+    for (int kind = 0; kind < 16; ++kind) {
+        Scene scene = testing::random_scene(random, 6, 4);
+        if ((kind & 1) != 0) scene.effects.linear_drag.reset();
+        if ((kind & 2) != 0) scene.table.rails = false;
+        if ((kind & 4) != 0 && scene.table.rails) scene.table.pockets = PocketModel::kEndGame;
+        if ((kind & 8) != 0) scene.solver.kind = SolverKind::kOverlap;
+        scene.limits.time = 10;
+        scenes.push_back(scene);
+    }
+    return scenes;
+}
+
+TEST(Kernels, EveryOneThatCoversASceneGivesTheSameTrace) {
+    int compared = 0;
+    for (const Scene& scene : scenes_of_every_kind()) {
+        const ShotTrace chosen = simulate(scene, 30);
+        for (const std::string_view name : kernel_names()) {
+            ShotTrace trace;
+            if (!simulate_by(name, scene, 30, trace)) continue;
+            SCOPED_TRACE(std::string(name) + " and " + std::string(chosen.kernel));
+            EXPECT_EQ(name, trace.kernel);
+            EXPECT_EQ(chosen.hash, trace.hash);
+            EXPECT_EQ(chosen.events, trace.events);
+            EXPECT_EQ(chosen.samples, trace.samples);
+            compared += name != chosen.kernel;
+        }
+    }
+    EXPECT_GT(compared, 10);
+}
+
+TEST(Kernels, TheChosenOneIsTheFirstOfTheListThatCoversTheScene) {
+    for (const Scene& scene : scenes_of_every_kind()) {
+        ShotTrace trace;
+        const auto names = kernel_names();
+        const auto first = std::find_if(names.begin(), names.end(), [&](std::string_view name) {
+            return simulate_by(name, scene, 0, trace);
+        });
+        ASSERT_NE(names.end(), first);
+        EXPECT_EQ(*first, simulate(scene).kernel);
+    }
+}
+
+TEST(Kernels, OneThatDoesNotCoverTheSceneOrDoesNotExistRefuses) {
+    ShotTrace trace;
+    trace.hash = 42;
+    Scene scene = testing::break_scene(2, 0, 1);
+    EXPECT_FALSE(simulate_by("open_cloth", scene, 0, trace));
+    EXPECT_FALSE(simulate_by("no_such_kernel", scene, 0, trace));
+    EXPECT_EQ(42U, trace.hash);
+}
+
+TEST(Kernels, AbsentDragIsDragWithZeroCoefficients) {
+    testing::Random random(6);
+    Scene scene = testing::random_scene(random, 8, 3);
+    scene.limits.time = 20;
+    scene.effects.linear_drag = LinearDragSpec{0, 0};
+    const ShotTrace zero = simulate(scene);
+    scene.effects.linear_drag.reset();
+    const ShotTrace absent = simulate(scene);
+    EXPECT_NE(absent.kernel, zero.kernel);
+    EXPECT_EQ(absent.hash, zero.hash);
+}
+
+}  // namespace
+}  // namespace poolhall
