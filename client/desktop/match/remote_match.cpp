@@ -190,6 +190,9 @@ void RemoteMatch::on(const protocol::Joined& message) {
     }
     resume_playback(message.table);
     show_table(message.table);
+    // A server that was started again has forgotten the aim; whoever aims has not.
+    if (info_.acting_seat() && info_.table->aim != message.table.aim)
+        unsent_aim_ = info_.table->aim;
     pinged_at_ = now_ - kPingEvery;
 }
 
