@@ -1,0 +1,186 @@
+#include "server/app/server.hpp"
+
+#include "server/match/rebuild.hpp"
+#include "server/net/connection_services.hpp"
+#include "server/net/listener.hpp"
+
+#include <boost/asio/thread_pool.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <spdlog/spdlog.h>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace poolhall::server {
+namespace {
+
+constexpr auto kMaxSweepInterval = std::chrono::milliseconds(5000);
+/// For sessions to take their last messages and answer the close; after it they are cut off.
+constexpr auto kDrainTime = std::chrono::seconds(2);
+constexpr auto kCutOffTime = std::chrono::seconds(2);
+
+using Shards = std::vector<std::unique_ptr<Shard>>;
+
+Shards make_shards(std::uint32_t count) {
+    Shards shards;
+    while (shards.size() < count)
+        shards.push_back(std::make_unique<Shard>());
+    return shards;
+}
+
+std::vector<Loop*> loops_of(const Shards& shards) {
+    std::vector<Loop*> loops;
+    for (const auto& shard : shards)
+        loops.push_back(&shard->loop);
+    return loops;
+}
+
+std::chrono::milliseconds sweep_interval(std::uint32_t idle_timeout) {
+    return std::min<std::chrono::milliseconds>(kMaxSweepInterval,
+                                               std::chrono::milliseconds(250) * idle_timeout);
+}
+
+}  // namespace
+
+struct Server::State {
+    State(const ServerConfig& config, std::unique_ptr<ReplayStore> opened, Shards made,
+          std::unique_ptr<Listener> bound)
+        : store(std::move(opened)),
+          shards(std::move(made)),
+          listener(std::move(bound)),
+          lobby({*store,
+                 counters,
+                 {config.max_spectators, std::chrono::seconds(config.idle_timeout)},
+                 config.max_matches,
+                 loops_of(shards)}),
+          services{lobby,
+                   counters,
+                   {lobby, *store, counters, [this] { return !draining.load(); }},
+                   readers,
+                   config.allow_origin,
+                   config.max_sessions},
+          sweep_timer(shards.front()->loop),
+          sweep_every(sweep_interval(config.idle_timeout)) {}
+
+    void reopen_matches(OpenMatches open);
+    void schedule_sweep();
+    void each_session(const std::function<void(Outlet&)>& act);
+    bool wait_for_sessions(std::chrono::milliseconds limit) const;
+
+    Counters counters;
+    std::unique_ptr<ReplayStore> store;
+    Shards shards;
+    std::unique_ptr<Listener> listener;
+    Lobby lobby;
+    boost::asio::thread_pool readers{1};
+    std::atomic<bool> draining{false};
+    ConnectionServices services;
+    LoopTimer sweep_timer;
+    std::chrono::milliseconds sweep_every;
+};
+
+void Server::State::reopen_matches(OpenMatches open) {
+    for (const std::string& damage : open.damaged)
+        spdlog::error("{}", damage);
+    for (const StoredMatch& stored : open.matches) {
+        auto match = rebuild(stored);
+        if (match)
+            lobby.reopen(std::move(*match));
+        else
+            spdlog::error("match {} is not opened again: {}", stored.id, match.error());
+    }
+    if (lobby.size() > 0) spdlog::info("{} open matches brought back from the store", lobby.size());
+}
+
+/// The one timer of a server at rest; coarse, and one for all matches.
+void Server::State::schedule_sweep() {
+    sweep_timer.at(LoopTimer::Clock::now() + sweep_every, [this] {
+        lobby.sweep();
+        schedule_sweep();
+    });
+}
+
+void Server::State::each_session(const std::function<void(Outlet&)>& act) {
+    for (const auto& shard : shards) {
+        shard->loop.post([sessions = &shard->sessions, act] {
+            // Copied: a session may leave the map while it is spoken to.
+            const auto now = *sessions;
+            for (const auto& [id, session] : now)
+                if (const auto alive = session.lock()) act(*alive);
+        });
+    }
+}
+
+bool Server::State::wait_for_sessions(std::chrono::milliseconds limit) const {
+    constexpr auto kStep = std::chrono::milliseconds(5);
+    for (auto waited = kStep * 0; counters.sessions.load() > 0; waited += kStep) {
+        if (waited > limit) return false;
+        std::this_thread::sleep_for(kStep);
+    }
+    return true;
+}
+
+Result<std::unique_ptr<Server>, std::string> Server::start(const ServerConfig& config) {
+    Shards shards = make_shards(config.threads);
+    auto listener = Listener::bind(config.listen, *shards.front());
+    if (!listener) return listener.error();
+    auto store = ReplayStore::open({config.data});
+    if (!store) return store.error().reason;
+    auto open = (*store)->load_open_matches();
+    if (!open) return open.error().reason;
+
+    auto state =
+        std::make_unique<State>(config, std::move(*store), std::move(shards), std::move(*listener));
+    state->reopen_matches(std::move(*open));
+    std::vector<Shard*> all;
+    for (const auto& shard : state->shards)
+        all.push_back(shard.get());
+    state->listener->start(std::move(all), state->services);
+    state->schedule_sweep();
+    for (const auto& shard : state->shards)
+        shard->loop.start();
+    spdlog::info("listening on {}, {} threads, data in {}", state->listener->address(),
+                 config.threads, config.data);
+    return std::unique_ptr<Server>(new Server(std::move(state)));
+}
+
+Server::Server(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Server::~Server() {
+    drain();
+    // Loops first: what they run uses the rest. Readers may still post to a loop, so the loops
+    // stay.
+    for (const auto& shard : state_->shards)
+        shard->loop.stop();
+    state_->readers.join();
+    state_->store.reset();
+}
+
+std::string Server::address() const {
+    return state_->listener->address();
+}
+
+const Counters& Server::counters() const {
+    return state_->counters;
+}
+
+void Server::drain() {
+    if (state_->draining.exchange(true)) return;
+    spdlog::info("shutting down: {} sessions, {} matches", state_->counters.sessions.load(),
+                 state_->lobby.size());
+    state_->lobby.close();
+    state_->listener->stop();
+    state_->each_session([](Outlet& session) {
+        session.close(CloseReason::kGoingAway, "The server is shutting down.");
+    });
+    if (state_->wait_for_sessions(kDrainTime)) return;
+    state_->each_session([](Outlet& session) { session.abort(); });
+    if (!state_->wait_for_sessions(kCutOffTime)) spdlog::warn("some sessions did not end");
+}
+
+}  // namespace poolhall::server

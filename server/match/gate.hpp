@@ -1,0 +1,25 @@
+#pragma once
+
+#include "protocol/messages.hpp"
+#include "server/match/match.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace poolhall::server {
+
+/// Why a command is not carried out; what the client gets as a `reject`.
+struct Refusal {
+    protocol::RejectCode code = protocol::RejectCode::kIllegal;
+    std::string reason;  ///< a sentence
+};
+
+/// Whether the match can carry out the command for this member: seat, turn, phase, rules. Changes
+/// nothing, so that a refused command cannot leave a trace; what it lets pass, Match does not
+/// refuse. Commands that do not concern a match (create_match, ping) always pass.
+[[nodiscard]] std::optional<Refusal> check(const Match& match, MemberId member,
+                                           const protocol::ClientBody& command,
+                                           std::uint32_t max_spectators);
+
+}  // namespace poolhall::server
