@@ -155,8 +155,11 @@ bool expect_array(const Cursor& cursor, std::size_t min, std::size_t max);
 /// Checks for a string.
 bool expect_text(const Cursor& cursor);
 
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
+
 /// The name of an enumerator.
-template <class E>
+template <Enumeration E>
 struct Named {
     bool read(const Cursor& cursor, E& value) const {
         if (!expect_text(cursor)) return false;
@@ -250,11 +253,9 @@ struct DefaultCodec<Seat> : SeatNumber {};
 
 template <>
 struct DefaultCodec<BallIndex> : BallNumber {};
-template <class E>
-requires std::is_enum_v<E>
 
-struct DefaultCodec<E> : Named<E> {
-};
+template <Enumeration E>
+struct DefaultCodec<E> : Named<E> {};
 
 template <HasFields T>
 struct DefaultCodec<T> : Object<T> {};
