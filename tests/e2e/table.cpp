@@ -1,0 +1,109 @@
+#include "tests/e2e/table.hpp"
+
+#include "shared/game/end_game.hpp"
+#include "shared/physics/simulate.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <optional>
+
+namespace poolhall::e2e {
+
+using namespace protocol;
+
+namespace {
+
+constexpr int kDirections = 1440;
+/// Frames show positions to 10 um (JSON) or in single precision (CBOR), m.
+constexpr double kFrameTolerance = 1e-5;
+
+/// Every frame shows the balls where the simulation has them at its tick.
+void expect_frames(const std::vector<Frame>& frames, const ShotTrace& trace) {
+    std::uint32_t tick = 0;
+    for (const Frame& frame : frames) {
+        ASSERT_GT(frame.tick, tick);
+        ASSERT_LT(frame.tick, trace.sample_count());
+        tick = frame.tick;
+        for (const Frame::Ball& ball : frame.balls) {
+            const Vec2 exact = trace.sample(tick, ball.ball.value);
+            EXPECT_NEAR(ball.r.x, exact.x, kFrameTolerance) << "tick " << tick;
+            EXPECT_NEAR(ball.r.y, exact.y, kFrameTolerance) << "tick " << tick;
+        }
+    }
+    EXPECT_EQ(tick + 1, trace.sample_count());
+}
+
+std::vector<ShotEvent> events_of(const std::vector<Frame>& frames) {
+    std::vector<ShotEvent> events;
+    for (const Frame& frame : frames)
+        events.insert(events.end(), frame.events.begin(), frame.events.end());
+    return events;
+}
+
+}  // namespace
+
+ShotOutcome find_shot(const GameState& game, Verdict verdict) {
+    std::optional<ShotOutcome> best;
+    for (int i = 0; i < kDirections; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kDirections;
+        ShotOutcome outcome = kEndGameRules.play(game, {{std::cos(angle), std::sin(angle)}});
+        if (outcome.ruling.verdict != verdict) continue;
+        if (!best || outcome.trace.duration < best->trace.duration) best = std::move(outcome);
+    }
+    if (!best) throw std::runtime_error("no shot gets the verdict " + std::string(name(verdict)));
+    return *std::move(best);
+}
+
+Shoot command_of(const ShotOutcome& outcome) {
+    return {outcome.ruling.shooter, outcome.scene.strike.value().direction};
+}
+
+Duel::Duel(std::uint16_t port, Encoding ann_speaks, Encoding bob_speaks)
+    : ann(port, ann_speaks),
+      bob(port, bob_speaks),
+      ann_joined(ann.enter(CreateMatch{"Ann"})),
+      bob_joined(bob.enter(JoinMatch{ann_joined.table.code, "Bob"})),
+      game(kEndGameRules.new_game(bob_joined.table.turn)) {
+    EXPECT_EQ(bob_joined.table.phase, Phase::kAiming);
+    EXPECT_EQ(bob_joined.table.scene, game.scene);
+    ann.await_table([](const TableState& table) { return table.phase == Phase::kAiming; });
+}
+
+ShotOutcome Duel::play(Verdict verdict) {
+    ShotOutcome outcome = find_shot(game, verdict);
+    player(game.turn).send(command_of(outcome));
+    expect_same_shot(ann.hear_shot(), outcome);
+    expect_same_shot(bob.hear_shot(), outcome);
+    game = outcome.state;
+    return outcome;
+}
+
+void expect_same_shot(const ShotHeard& heard, const ShotOutcome& outcome) {
+    EXPECT_EQ(heard.started.seat, outcome.ruling.shooter);
+    EXPECT_EQ(heard.started.scene, outcome.scene);
+    EXPECT_EQ(heard.started.scene_hash, hash_of(outcome.scene));
+    expect_frames(heard.frames, outcome.trace);
+    EXPECT_EQ(events_of(heard.frames), outcome.trace.events);
+
+    const ShotEnded& ended = heard.ended;
+    EXPECT_EQ(ended.shot, heard.started.shot);
+    EXPECT_EQ(ended.hash, outcome.trace.hash);
+    EXPECT_EQ(ended.balls, outcome.trace.balls);
+    EXPECT_EQ(ended.duration, outcome.trace.duration);
+    EXPECT_EQ(ended.kernel, outcome.trace.kernel);
+    EXPECT_EQ(ended.outcome, Outcome::kRest);
+    EXPECT_EQ(ended.ruling, outcome.ruling);
+    expect_table_after(ended.table, outcome);
+}
+
+void expect_table_after(const TableState& table, const ShotOutcome& outcome) {
+    EXPECT_EQ(table.scene, outcome.state.scene);
+    EXPECT_EQ(table.phase, outcome.state.over ? Phase::kOver : Phase::kAiming);
+    EXPECT_EQ(table.turn, outcome.state.turn);
+    EXPECT_EQ(table.ruling, outcome.ruling);
+    EXPECT_FALSE(table.may_place);
+    EXPECT_FALSE(table.live.has_value());
+}
+
+}  // namespace poolhall::e2e
