@@ -116,8 +116,9 @@ def clear_corner(table):
 async def server():
     with tempfile.TemporaryDirectory(prefix="poolhall-e2e-") as data:
         process = await asyncio.create_subprocess_exec(
-            SERVER, "--listen", "127.0.0.1:0", "--data", data, stdout=asyncio.subprocess.PIPE,
-            stderr=asyncio.subprocess.DEVNULL)
+            "setpriv", "--pdeathsig", "KILL",  # it ends with this program, whatever happens
+            SERVER, "--listen", "127.0.0.1:0", "--data", data,
+            stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.DEVNULL)
         try:
             line = await asyncio.wait_for(process.stdout.readline(), PATIENCE)
             assert line.startswith(b"listening on "), line
