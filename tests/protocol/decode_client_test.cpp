@@ -1,6 +1,7 @@
 #include "protocol/codec.hpp"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 

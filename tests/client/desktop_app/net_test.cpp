@@ -3,6 +3,7 @@
 #include "client/desktop/net/token_store.hpp"
 #include "tests/client/desktop_app/fixtures.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

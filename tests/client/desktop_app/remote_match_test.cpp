@@ -4,6 +4,7 @@
 #include "tests/client/desktop_app/fixtures.hpp"
 
 #include <gtest/gtest.h>
+#include <memory>
 
 namespace poolhall::client {
 namespace {

@@ -3,6 +3,7 @@
 #include "tests/server/store/store_fixture.hpp"
 
 #include <SQLiteCpp/Database.h>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <sys/wait.h>

@@ -3,6 +3,7 @@
 #include "shared/game/end_game.hpp"
 #include "tests/protocol/replay/played_match.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace poolhall::client {

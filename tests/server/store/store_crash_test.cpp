@@ -1,6 +1,7 @@
 #include "protocol/replay/reader.hpp"
 #include "tests/server/store/store_fixture.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -5,6 +5,7 @@
 #include "tests/shared/random.hpp"
 #include "tests/shared/reference.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
