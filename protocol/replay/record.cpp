@@ -16,6 +16,7 @@ ShotRecord shot_record(const ShotOutcome& outcome) {
     record.duration = outcome.trace.duration;
     record.event_count = static_cast<std::uint32_t>(outcome.trace.events.size());
     record.ruling = outcome.ruling;
+    if (outcome.trace.events.size() > kMaxEventTimes) return record;
     for (const ShotEvent& event : outcome.trace.events)
         record.event_times.push_back(event.t);
     return record;

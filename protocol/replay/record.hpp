@@ -2,6 +2,7 @@
 
 #include "shared/game/game_state.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,7 +13,9 @@
 // record's "kind".
 namespace poolhall::protocol {
 
-inline constexpr int kReplayVersion = 1;
+inline constexpr std::string_view kReplayFormat = "poolhall.replay/1";
+/// More event times than this are not kept: a record must fit into a line of a replay file.
+inline constexpr std::size_t kMaxEventTimes = 10000;
 
 /// The first record of a match.
 struct MatchRecord {

@@ -42,7 +42,6 @@ struct MatchId {
 inline constexpr Text kShortText{1, 64};
 inline constexpr Text kReasonText{0, 256};
 inline constexpr Real kSeconds{0, kAnyMagnitude};
-inline constexpr std::size_t kMaxEventTimes = 100000;
 
 template <>
 inline constexpr auto kFields<MatchRecord> = std::tuple{

@@ -14,14 +14,13 @@ using wire::Cursor;
 using wire::Json;
 
 constexpr std::size_t kMaxMatchIdBytes = 64;
-constexpr std::string_view kFormat = "poolhall.replay/1";
 
 bool read_format(const Cursor& cursor) {
     const Json* format = cursor.find("format");
     if (format == nullptr) return cursor.refuse_missing("format");
-    if (*format == kFormat) return true;
+    if (*format == kReplayFormat) return true;
     return cursor.refuse_at(
-        "/format", "must be \"" + std::string(kFormat) + "\": this version reads no other");
+        "/format", "must be \"" + std::string(kReplayFormat) + "\": this version reads no other");
 }
 
 /// What the fields alone do not say.
@@ -75,7 +74,7 @@ bool wire::MatchId::read(const Cursor& cursor, std::string& value) const {
 
 std::string to_text(std::uint64_t n, const ReplayRecord& record) {
     Json object{{"n", n}, {"kind", kind_of(record)}};
-    if (std::holds_alternative<MatchRecord>(record)) object["format"] = kFormat;
+    if (std::holds_alternative<MatchRecord>(record)) object["format"] = kReplayFormat;
     std::visit([&](const auto& fields) { wire::write_fields(object, fields, Encoding::kJson); },
                record);
     return write_tree(object, Encoding::kJson);
