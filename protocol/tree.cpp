@@ -19,8 +19,12 @@ constexpr std::size_t kMaxKeys = 64;
 
 /// Builds a tree from a parser's events and stops the parser at the first thing that is not
 /// allowed.
-class Builder : public nlohmann::json_sax<Json> {
+class Builder final : public nlohmann::json_sax<Json> {
   public:
+    Builder() = default;
+    Builder(const Builder&) = delete;  // open_ points into tree
+    Builder& operator=(const Builder&) = delete;
+
     bool null() override { return add(nullptr); }
 
     bool boolean(bool value) override { return add(value); }

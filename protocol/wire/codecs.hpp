@@ -21,16 +21,16 @@ struct Real {
     double min = -kAnyMagnitude;
     double max = kAnyMagnitude;
 
-    bool read(const Cursor& cursor, double& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, double& value) const;
 
-    Json write(double value, Encoding /*encoding*/) const { return value; }
+    [[nodiscard]] Json write(double value, Encoding /*encoding*/) const { return value; }
 };
 
 /// A number of a scene file: a JSON number or a string with a C hex-float.
 struct SceneReal {
-    bool read(const Cursor& cursor, double& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, double& value) const;
 
-    Json write(double value, Encoding /*encoding*/) const { return value; }
+    [[nodiscard]] Json write(double value, Encoding /*encoding*/) const { return value; }
 };
 
 struct Integer {
@@ -38,7 +38,7 @@ struct Integer {
     std::uint32_t max = std::numeric_limits<std::uint32_t>::max();
 
     template <std::integral T>
-    bool read(const Cursor& cursor, T& value) const {
+    [[nodiscard]] bool read(const Cursor& cursor, T& value) const {
         std::uint32_t number = 0;
         if (!read_number(cursor, number)) return false;
         value = static_cast<T>(number);
@@ -46,114 +46,128 @@ struct Integer {
     }
 
     template <std::integral T>
-    Json write(T value, Encoding /*encoding*/) const {
+    [[nodiscard]] Json write(T value, Encoding /*encoding*/) const {
         return value;
     }
 
   private:
-    bool read_number(const Cursor& cursor, std::uint32_t& value) const;
+    [[nodiscard]] bool read_number(const Cursor& cursor, std::uint32_t& value) const;
 };
 
 struct Boolean {
-    bool read(const Cursor& cursor, bool& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, bool& value) const;
 
-    Json write(bool value, Encoding /*encoding*/) const { return value; }
+    [[nodiscard]] Json write(bool value, Encoding /*encoding*/) const { return value; }
 };
 
 /// 0 or 1.
 struct SeatNumber {
-    bool read(const Cursor& cursor, Seat& value) const {
+    [[nodiscard]] bool read(const Cursor& cursor, Seat& value) const {
         return Integer{0, kSeatCount - 1}.read(cursor, value.value);
     }
 
-    Json write(Seat value, Encoding /*encoding*/) const { return value.value; }
+    [[nodiscard]] Json write(Seat value, Encoding /*encoding*/) const { return value.value; }
 };
 
 struct BallNumber {
-    bool read(const Cursor& cursor, BallIndex& value) const {
+    [[nodiscard]] bool read(const Cursor& cursor, BallIndex& value) const {
         return Integer{0, kMaxBalls - 1}.read(cursor, value.value);
     }
 
-    Json write(BallIndex value, Encoding /*encoding*/) const { return value.value; }
+    [[nodiscard]] Json write(BallIndex value, Encoding /*encoding*/) const { return value.value; }
 };
 
 /// A hash as 16 lower-case hex digits: a double cannot hold it.
 struct Hash {
-    bool read(const Cursor& cursor, std::uint64_t& value) const;
-    Json write(std::uint64_t value, Encoding encoding) const;
+    [[nodiscard]] bool read(const Cursor& cursor, std::uint64_t& value) const;
+    [[nodiscard]] Json write(std::uint64_t value, Encoding encoding) const;
 };
 
 struct Text {
     std::size_t min_bytes = 0;
     std::size_t max_bytes = 0;
 
-    bool read(const Cursor& cursor, std::string& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, std::string& value) const;
 
-    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+    [[nodiscard]] Json write(const std::string& value, Encoding /*encoding*/) const {
+        return value;
+    }
 };
 
 /// What a player or spectator is called.
 struct PersonName {
     bool may_be_empty = false;
 
-    bool read(const Cursor& cursor, std::string& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, std::string& value) const;
 
-    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+    [[nodiscard]] Json write(const std::string& value, Encoding /*encoding*/) const {
+        return value;
+    }
 };
 
 /// A join code; read as people type it, kept in one form.
 struct JoinCode {
-    bool read(const Cursor& cursor, std::string& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, std::string& value) const;
 
-    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+    [[nodiscard]] Json write(const std::string& value, Encoding /*encoding*/) const {
+        return value;
+    }
 };
 
 struct Token {
     bool may_be_empty = false;
 
-    bool read(const Cursor& cursor, std::string& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, std::string& value) const;
 
-    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+    [[nodiscard]] Json write(const std::string& value, Encoding /*encoding*/) const {
+        return value;
+    }
 };
 
 /// [x, y], each at most `limit` in magnitude.
 struct Vector2 {
     double limit = kMaxPositionComponent;
 
-    bool read(const Cursor& cursor, Vec2& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, Vec2& value) const;
 
-    Json write(Vec2 value, Encoding /*encoding*/) const { return Json::array({value.x, value.y}); }
+    [[nodiscard]] Json write(Vec2 value, Encoding /*encoding*/) const {
+        return Json::array({value.x, value.y});
+    }
 };
 
 /// A direction of aim: any length but zero.
 struct Direction {
-    bool read(const Cursor& cursor, Vec2& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, Vec2& value) const;
 
-    Json write(Vec2 value, Encoding encoding) const { return Vector2{}.write(value, encoding); }
+    [[nodiscard]] Json write(Vec2 value, Encoding encoding) const {
+        return Vector2{}.write(value, encoding);
+    }
 };
 
 /// [x, y, z] of a state, of which the first `min_count` must be there.
 struct Vector3 {
     std::size_t min_count = 3;
 
-    bool read(const Cursor& cursor, Vec3& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, Vec3& value) const;
 
-    Json write(const Vec3& value, Encoding /*encoding*/) const {
+    [[nodiscard]] Json write(const Vec3& value, Encoding /*encoding*/) const {
         return Json::array({value.x, value.y, value.z});
     }
 };
 
 /// Two numbers of a scene file.
 struct SceneVector2 {
-    bool read(const Cursor& cursor, Vec2& value) const;
+    [[nodiscard]] bool read(const Cursor& cursor, Vec2& value) const;
 
-    Json write(Vec2 value, Encoding encoding) const { return Vector2{}.write(value, encoding); }
+    [[nodiscard]] Json write(Vec2 value, Encoding encoding) const {
+        return Vector2{}.write(value, encoding);
+    }
 };
 
 /// Checks for an array of min to max elements.
-bool expect_array(const Cursor& cursor, std::size_t min, std::size_t max);
+[[nodiscard]] bool expect_array(const Cursor& cursor, std::size_t min, std::size_t max);
 /// Checks for a string.
-bool expect_text(const Cursor& cursor);
+[[nodiscard]] bool expect_text(const Cursor& cursor);
 
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
@@ -161,7 +175,7 @@ concept Enumeration = std::is_enum_v<T>;
 /// The name of an enumerator.
 template <Enumeration E>
 struct Named {
-    bool read(const Cursor& cursor, E& value) const {
+    [[nodiscard]] bool read(const Cursor& cursor, E& value) const {
         if (!expect_text(cursor)) return false;
         const auto& text = cursor.json().template get_ref<const std::string&>();
         std::string choices;
@@ -176,15 +190,17 @@ struct Named {
         return cursor.refuse("must be one of " + choices);
     }
 
-    Json write(E value, Encoding /*encoding*/) const { return name(value); }
+    [[nodiscard]] Json write(E value, Encoding /*encoding*/) const { return name(value); }
 };
 
 /// An object with kFields.
 template <HasFields T>
 struct Object {
-    bool read(const Cursor& cursor, T& value) const { return read_fields(cursor, value); }
+    [[nodiscard]] bool read(const Cursor& cursor, T& value) const {
+        return read_fields(cursor, value);
+    }
 
-    Json write(const T& value, Encoding encoding) const {
+    [[nodiscard]] Json write(const T& value, Encoding encoding) const {
         Json object = Json::object();
         write_fields(object, value, encoding);
         return object;
@@ -198,7 +214,7 @@ struct List {
     std::size_t max_count = 0;
 
     template <class T>
-    bool read(const Cursor& cursor, std::vector<T>& values) const {
+    [[nodiscard]] bool read(const Cursor& cursor, std::vector<T>& values) const {
         if (!expect_array(cursor, 0, max_count)) return false;
         values.resize(cursor.json().size());
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -208,7 +224,7 @@ struct List {
     }
 
     template <class T>
-    Json write(const std::vector<T>& values, Encoding encoding) const {
+    [[nodiscard]] Json write(const std::vector<T>& values, Encoding encoding) const {
         Json array = Json::array();
         for (const T& value : values)
             array.push_back(codec.write(value, encoding));
@@ -222,7 +238,7 @@ struct Array {
     ElementCodec codec;
 
     template <class T, std::size_t N>
-    bool read(const Cursor& cursor, std::array<T, N>& values) const {
+    [[nodiscard]] bool read(const Cursor& cursor, std::array<T, N>& values) const {
         if (!expect_array(cursor, N, N)) return false;
         for (std::size_t i = 0; i < N; ++i) {
             if (!codec.read(cursor.element(i), values[i])) return false;
@@ -231,7 +247,7 @@ struct Array {
     }
 
     template <class T, std::size_t N>
-    Json write(const std::array<T, N>& values, Encoding encoding) const {
+    [[nodiscard]] Json write(const std::array<T, N>& values, Encoding encoding) const {
         Json array = Json::array();
         for (const T& value : values)
             array.push_back(codec.write(value, encoding));

@@ -49,12 +49,12 @@ class Cursor {
     [[nodiscard]] Cursor element(std::size_t index) const;
 
     /// Records what is wrong here, and is false so that a reader can return it.
-    bool refuse(std::string reason) const;
+    [[nodiscard]] bool refuse(std::string reason) const;
     /// The same for a place below this one.
-    bool refuse_at(std::string_view pointer_below, std::string reason,
-                   RejectCode code = RejectCode::kBadField) const;
-    bool refuse_missing(std::string_view key) const;
-    bool refuse_unknown(std::string_view key) const;
+    [[nodiscard]] bool refuse_at(std::string_view pointer_below, std::string reason,
+                                 RejectCode code = RejectCode::kBadField) const;
+    [[nodiscard]] bool refuse_missing(std::string_view key) const;
+    [[nodiscard]] bool refuse_unknown(std::string_view key) const;
 
   private:
     Cursor(const Json& json, const Cursor& parent, std::string_view key, std::size_t index)

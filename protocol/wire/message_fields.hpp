@@ -115,9 +115,9 @@ inline constexpr auto kFields<TableState> = std::tuple{
 
 /// A table whose parts agree with one another.
 struct TableCodec {
-    bool read(const Cursor& cursor, TableState& table) const;
+    [[nodiscard]] bool read(const Cursor& cursor, TableState& table) const;
 
-    Json write(const TableState& table, Encoding encoding) const {
+    [[nodiscard]] Json write(const TableState& table, Encoding encoding) const {
         return Object<TableState>{}.write(table, encoding);
     }
 };

@@ -106,8 +106,8 @@ inline constexpr auto kFields<Scene> = std::tuple{
 struct SceneCodec {
     bool strike_required = false;
 
-    bool read(const Cursor& cursor, Scene& scene) const;
-    Json write(const Scene& scene, Encoding encoding) const;
+    [[nodiscard]] bool read(const Cursor& cursor, Scene& scene) const;
+    [[nodiscard]] Json write(const Scene& scene, Encoding encoding) const;
 };
 
 }  // namespace poolhall::protocol::wire

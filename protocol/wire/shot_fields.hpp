@@ -39,8 +39,8 @@ inline constexpr auto kFields<EventForm> = std::tuple{
 };
 
 struct EventCodec {
-    bool read(const Cursor& cursor, ShotEvent& event) const;
-    Json write(const ShotEvent& event, Encoding encoding) const;
+    [[nodiscard]] bool read(const Cursor& cursor, ShotEvent& event) const;
+    [[nodiscard]] Json write(const ShotEvent& event, Encoding encoding) const;
 };
 
 /// A FinalBall without its meaningless member.
@@ -63,14 +63,14 @@ inline constexpr auto kFields<FinalBallForm> = std::tuple{
 };
 
 struct FinalBallCodec {
-    bool read(const Cursor& cursor, FinalBall& ball) const;
-    Json write(const FinalBall& ball, Encoding encoding) const;
+    [[nodiscard]] bool read(const Cursor& cursor, FinalBall& ball) const;
+    [[nodiscard]] Json write(const FinalBall& ball, Encoding encoding) const;
 };
 
 /// A ball of a Frame: [index, x, y], to 10 um in JSON and in single precision in CBOR.
 struct FrameBallCodec {
-    bool read(const Cursor& cursor, Frame::Ball& ball) const;
-    Json write(const Frame::Ball& ball, Encoding encoding) const;
+    [[nodiscard]] bool read(const Cursor& cursor, Frame::Ball& ball) const;
+    [[nodiscard]] Json write(const Frame::Ball& ball, Encoding encoding) const;
 };
 
 template <>
