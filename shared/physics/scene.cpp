@@ -11,6 +11,7 @@ constexpr double kMaxLength = 1e6;  ///< m
 constexpr double kMaxSpeed = 1e6;   ///< m/s
 constexpr double kMaxSpin = 1e9;    ///< rad/s
 constexpr double kMaxTime = 1e6;    ///< s
+constexpr double kMaxTicks = 1e9;   ///< what a minute or so can simulate
 constexpr std::uint32_t kMaxEvents = 10'000'000;
 
 using MaybeError = std::optional<SceneError>;
@@ -110,6 +111,8 @@ std::optional<SceneError> check(const Scene& scene) {
     if (auto error = check_table(scene)) return error;
     if (auto error = check_effects(scene)) return error;
     if (auto error = positive(scene.limits.time, kMaxTime, "/limits/time")) return error;
+    if (scene.limits.time * scene.solver.hz > kMaxTicks)
+        return SceneError{"/limits/time", "must be at most a billion ticks of the solver"};
     if (scene.limits.events == 0 || scene.limits.events > kMaxEvents)
         return SceneError{"/limits/events", "must be 1 to 10000000"};
     if (scene.balls.size() > kMaxBalls) return SceneError{"/balls", "must be at most 1024"};

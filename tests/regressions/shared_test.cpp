@@ -73,5 +73,22 @@ TEST(Regression, VelocitiesOfAGroupDoNotDependOnTheOrderOfItsContacts) {
     }
 }
 
+TEST(Regression, BallsAgainstDeadRailsHandNoRoundingToAndFro) {
+    // Found by random clusters: a ball in a corner whose rails take everything, touched by one that
+    // rolls by. An impact's 1e-18 m/s went into the rails, and the next impact came at once.
+    Scene scene = testing::scene_of({{0x1.4acb21a15b954p-2, -0x1.1e7b4f1ca48adp-1},
+                                     {0x1.4acb21a15b954p-2, -0x1.01388b52b5bedp-1},
+                                     {0x1.4acb21a15b954p-2, -0x1.c7eb8f118de5bp-2},
+                                     {-0x1.69fc19c4cde9p-1, -0x1.367d566cf41f2p-1},
+                                     {-0x1.789d7ba9c54fp-1, -0x1.1d26251e06e9dp-1}});
+    set_xy(scene.balls[0].state.v, {0x1.d7e2bdc10838ep-2, -0x1.2566bc7249f28p-5});
+    set_xy(scene.balls[4].state.v, {0x1.647ec5a530944p+2, -0x1.ab27d669ef24cp+2});
+    scene.effects.linear_drag = LinearDragSpec{};
+    scene.effects.rail = {RailModel::kRestitution, 0};
+    const ShotTrace trace = simulate(scene);
+    EXPECT_EQ(Outcome::kRest, trace.outcome);
+    EXPECT_LT(trace.events.size(), 50U);
+}
+
 }  // namespace
 }  // namespace poolhall

@@ -110,8 +110,8 @@ class EulerSolver {
                 if (!may_meet(balls[a], balls[b], distance)) continue;
                 const std::optional<double> t =
                     time_of_impact({balls[a].r, balls[a].v}, {balls[b].r, balls[b].v}, distance);
-                if (t && is_first(*t))
-                    contacts_.push_back({Contact::Kind::kBalls, a, b, Rail::kNorth});
+                if (!t || rest_against(balls[a], balls[b], distance)) continue;
+                if (is_first(*t)) contacts_.push_back({Contact::Kind::kBalls, a, b, Rail::kNorth});
             }
         }
     }
@@ -124,6 +124,19 @@ class EulerSolver {
         const Vec2 v = b.v - a.v;
         return std::abs(c.x) <= kGenerous * (distance + std::abs(v.x) * first_) &&
                std::abs(c.y) <= kGenerous * (distance + std::abs(v.y) * first_);
+    }
+
+    /// True for balls that touch and approach no more than rounding makes them. An impact would
+    /// only hand that rounding to and fro between them and what holds them, without end; left alone
+    /// it makes an overlap far below kTouchTolerance.
+    [[nodiscard]] static bool rest_against(const MovingBall& a, const MovingBall& b,
+                                           double distance) {
+        constexpr double kRounding = 0x1p-48;
+        const Vec2 c = b.r - a.r;
+        const double speed =
+            std::max({std::abs(a.v.x), std::abs(a.v.y), std::abs(b.v.x), std::abs(b.v.y)});
+        return dot(c, c) <= (1 + kRounding) * distance * distance &&
+               -dot(c, b.v - a.v) <= kRounding * distance * speed;
     }
 
     void find_rail_contacts() {

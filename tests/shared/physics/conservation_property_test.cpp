@@ -131,5 +131,40 @@ TEST(EveryTick, ShotsUnderDragEndWithinTheirBound) {
     }
 }
 
+/// Balls each of which touches one before it, at random or on a rail, some of them moving.
+Scene cluster(testing::Random& random) {
+    const Vec2 edge = inset(Table{}, BallSpec{}.radius);
+    const std::size_t count = 3 + random.below(13);
+    std::vector<Vec2> places{{random.uniform(-edge.x, edge.x), random.uniform(-edge.y, edge.y)}};
+    while (places.size() < count) {
+        const Vec2 beside =
+            places[random.below(places.size())] + kDiameter * normalized(random.direction());
+        const Vec2 at_rail{random.uniform(-edge.x, edge.x), edge.y};
+        const Vec2 place = random.below(5) == 0 ? at_rail : beside;
+        bool free = std::abs(place.x) <= edge.x && std::abs(place.y) <= edge.y;
+        for (const Vec2 other : places)
+            free = free && norm(place - other) >= kDiameter - 1e-10;
+        if (free) places.push_back(place);
+    }
+    Scene scene = testing::scene_of(places);
+    scene.effects.linear_drag = LinearDragSpec{};
+    for (std::size_t i = 0; i < 1 + random.below(3); ++i)
+        set_xy(scene.balls[random.below(count)].state.v,
+               random.uniform(0.1, 15) * random.direction());
+    return scene;
+}
+
+TEST(EveryTick, ClustersOfTouchingBallsComeToRestInFewEvents) {
+    testing::Random random(34);
+    for (int i = 0; i < 3000; ++i) {
+        Scene scene = cluster(random);
+        if (i % 3 != 0) scene.effects.rail = {RailModel::kRestitution, i % 3 == 1 ? 0 : 0.8};
+        ASSERT_FALSE(check(scene));
+        const ShotTrace trace = simulate(scene);
+        ASSERT_EQ(Outcome::kRest, trace.outcome) << i;
+        ASSERT_LT(trace.events.size(), 500U) << i;
+    }
+}
+
 }  // namespace
 }  // namespace poolhall

@@ -63,6 +63,11 @@ const BadScene kBadScenes[] = {
     {"/effects/linear_drag/stop_speed", [](Scene& s) { s.effects.linear_drag->stop_speed = kNan; }},
     {"/limits/time", [](Scene& s) { s.limits.time = 0; }},
     {"/limits/time", [](Scene& s) { s.limits.time = kInfinity; }},
+    {"/limits/time",
+     [](Scene& s) {
+         s.solver.hz = 1e6;
+         s.limits.time = 1001;
+     }},
     {"/limits/events", [](Scene& s) { s.limits.events = 0; }},
     {"/limits/events", [](Scene& s) { s.limits.events = 10'000'001; }},
     {"/balls", [](Scene& s) { s.balls.resize(kMaxBalls + 1); }},
