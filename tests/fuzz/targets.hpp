@@ -12,5 +12,6 @@ void client_cbor(std::string_view bytes);
 void server_json(std::string_view bytes);
 void server_cbor(std::string_view bytes);
 void scene(std::string_view bytes);
+void replay(std::string_view bytes);
 
 }  // namespace poolhall::fuzz
