@@ -25,6 +25,10 @@ Fixed to_fixed(SDL_FPoint p) {
     return {snap(p.x), snap(p.y)};
 }
 
+bool is_finite(SDL_FPoint p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
 std::int64_t floor_div(std::int64_t a, std::int64_t b) {
     const std::int64_t quotient = a / b;
     return quotient - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
@@ -163,6 +167,7 @@ void Rasterizer::draw(const Mesh& mesh) {
 }
 
 void Rasterizer::draw_triangle(const SDL_Vertex& a, const SDL_Vertex& b, const SDL_Vertex& c) {
+    if (!is_finite(a.position) || !is_finite(b.position) || !is_finite(c.position)) return;
     const Fixed p = to_fixed(a.position);
     Fixed q = to_fixed(b.position);
     Fixed r = to_fixed(c.position);

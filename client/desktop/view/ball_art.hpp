@@ -2,7 +2,6 @@
 
 #include "client/desktop/render/canvas.hpp"
 #include "client/desktop/view/ball_painter.hpp"
-#include "client/desktop/view/view_state.hpp"
 
 #include <optional>
 #include <vector>
@@ -13,7 +12,7 @@ namespace poolhall::client {
 /// pixels or changed size.
 class BallArt {
   public:
-    /// `radius` of a ball on the table and `centre` in pixels. Balls are told apart by `index`.
+    /// `centre` in pixels; `pose.fraction` is found from it. Balls are told apart by `index`.
     void draw(Canvas& canvas, std::size_t index, SDL_FPoint centre, const BallPose& pose);
 
     void reset() { pictures_.clear(); }

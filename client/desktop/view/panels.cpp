@@ -38,6 +38,7 @@ void add_star(Mesh& mesh, SDL_FPoint middle, float radius, SDL_Color colour) {
         return SDL_FPoint{middle.x + r * std::cos(angle), middle.y + r * std::sin(angle)};
     };
     constexpr float kInner = 0.42F;
+    add_disc(mesh, middle, kInner * radius, colour);  // hides the seams between the points
     for (int point = 0; point < 10; point += 2) {
         const std::array<SDL_FPoint, 4> kite{at(point, radius), at(point + 1, kInner * radius),
                                              middle, at(point - 1, kInner * radius)};

@@ -3,7 +3,6 @@
 #include "client/desktop/render/canvas.hpp"
 #include "client/desktop/view/layout.hpp"
 
-#include <optional>
 
 namespace poolhall::client {
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "client/desktop/render/sdl_ptr.hpp"
+#include "client/desktop/view/table_view.hpp"
+
 #include <SDL2/SDL.h>
 
 #include <memory>
-
-#include "client/desktop/render/sdl_ptr.hpp"
-#include "client/desktop/view/table_view.hpp"
 
 namespace poolhall::client {
 
@@ -14,7 +14,8 @@ class Picture {
   public:
     explicit Picture(SDL_Point size)
         : surface_(SDL_CreateRGBSurfaceWithFormat(0, size.x, size.y, 32, SDL_PIXELFORMAT_ARGB8888)),
-          renderer_(SDL_CreateSoftwareRenderer(surface_.get())), view_(std::make_unique<TableView>(renderer_.get())) {}
+          renderer_(SDL_CreateSoftwareRenderer(surface_.get())),
+          view_(std::make_unique<TableView>(renderer_.get())) {}
 
     void draw(const ViewState& state, double now_s = 0) {
         view_->draw(state, now_s);
@@ -22,16 +23,21 @@ class Picture {
     }
 
     [[nodiscard]] TableView& view() { return *view_; }
+
     [[nodiscard]] SDL_Renderer* renderer() { return renderer_.get(); }
+
     [[nodiscard]] SDL_Surface* surface() { return surface_.get(); }
+
     /// Black where there is no such pixel.
     [[nodiscard]] SDL_Color at(SDL_FPoint pixel) const {
         const int x = static_cast<int>(pixel.x);
         const int y = static_cast<int>(pixel.y);
         SDL_Color colour{0, 0, 0, 255};
         if (x < 0 || y < 0 || x >= surface_->w || y >= surface_->h) return colour;
-        const auto* row = static_cast<const Uint8*>(surface_->pixels) + static_cast<std::ptrdiff_t>(y) * surface_->pitch;
-        SDL_GetRGB(reinterpret_cast<const Uint32*>(row)[x], surface_->format, &colour.r, &colour.g, &colour.b);
+        const auto* row = static_cast<const Uint8*>(surface_->pixels) +
+                          static_cast<std::ptrdiff_t>(y) * surface_->pitch;
+        SDL_GetRGB(reinterpret_cast<const Uint32*>(row)[x], surface_->format, &colour.r, &colour.g,
+                   &colour.b);
         return colour;
     }
 
@@ -39,6 +45,7 @@ class Picture {
     struct DestroyRenderer {
         void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
     };
+
     SurfacePtr surface_;
     std::unique_ptr<SDL_Renderer, DestroyRenderer> renderer_;
     std::unique_ptr<TableView> view_;

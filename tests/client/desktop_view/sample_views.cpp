@@ -29,7 +29,8 @@ ViewState won() {
 }
 
 ViewState lost() {
-    ViewState state = with_banner(Tone::kLost, "You lose", "The cue ball went down. Space for another game");
+    ViewState state =
+        with_banner(Tone::kLost, "You lose", "The cue ball went down. Space for another game");
     state.balls[0] = {"cue", {0, -end_game::kWidth / 2}, true};
     state.balls[1].r = {-0.52, 0.2};
     state.muted = true;
@@ -47,9 +48,12 @@ ViewState stepping() {
         const double strength = (i + 1.0) / kSteps;
         const double way = 0.040 * i;
         const bool hit = way > 0.5;
-        const Vec2 cue = hit ? Vec2{0.116 + 0.18 * (way - 0.5), 0.9 * (way - 0.5)} : Vec2{-0.384 + way, 0.02};
+        const Vec2 cue =
+            hit ? Vec2{0.116 + 0.18 * (way - 0.5), 0.9 * (way - 0.5)} : Vec2{-0.384 + way, 0.02};
         state.trail.push_back({cue, BallIndex{0}, strength});
-        if (hit) state.trail.push_back({{0.17 + 0.9 * (way - 0.5), -0.3 * (way - 0.5)}, BallIndex{1}, strength});
+        if (hit)
+            state.trail.push_back(
+                {{0.17 + 0.9 * (way - 0.5), -0.3 * (way - 0.5)}, BallIndex{1}, strength});
     }
     state.balls[0].r = state.trail[state.trail.size() - 2].r;
     state.balls[1].r = state.trail.back().r;
@@ -65,7 +69,8 @@ ViewState collisions() {
     state.balls[1].r = {-0.11, 0.21};
     const double rail_y = end_game::kWidth / 2 - kRadius;
     const double rail_x = end_game::kLength / 2 - kRadius;
-    for (const Vec2 r : {Vec2{0.36, 0.02}, Vec2{0.36 + 0.0545, 0.0372}, Vec2{0.52, -rail_y}, Vec2{rail_x, 0.17}}) {
+    for (const Vec2 r :
+         {Vec2{0.36, 0.02}, Vec2{0.36 + 0.0545, 0.0372}, Vec2{0.52, -rail_y}, Vec2{rail_x, 0.17}}) {
         state.marks.push_back({r});
     }
     return state;
@@ -97,7 +102,8 @@ ViewState awkward_names() {
 ViewState practice() {
     ViewState state = aiming();
     state.match = {};
-    state.match.seats = {SeatView{"You", true, true, false, 2}, SeatView{"You too", true, true, false, 0}};
+    state.match.seats = {SeatView{"You", true, true, false, 2},
+                         SeatView{"You too", true, true, false, 0}};
     state.match.turn = kFirst;
     return state;
 }
@@ -118,7 +124,8 @@ ViewState start() {
     state.base_line_x = end_game::kBaseLineX;
     state.aim = AimView{kCueSpot, {1, 0}, {}};
     state.match.code = "BCDFGH";
-    state.match.seats = {SeatView{"Ada", true, true, false, 0}, SeatView{"Grace", true, false, false, 1}};
+    state.match.seats = {SeatView{"Ada", true, true, false, 0},
+                         SeatView{"Grace", true, false, false, 1}};
     state.match.turn = kFirst;
     state.match.spectators = 3;
     state.match.link = Link::kOnline;
@@ -145,11 +152,16 @@ ViewState aiming() {
 
 std::vector<NamedView> all() {
     std::vector<NamedView> views = {
-        {"start", start()},           {"aiming", aiming()},
-        {"step-trail", stepping()},   {"collision-marks", collisions()},
-        {"won", won()},               {"lost", lost()},
-        {"help", help()},             {"connection-lost", connection_lost()},
-        {"waiting", waiting()},       {"practice", practice()},
+        {"start", start()},
+        {"aiming", aiming()},
+        {"step-trail", stepping()},
+        {"collision-marks", collisions()},
+        {"won", won()},
+        {"lost", lost()},
+        {"help", help()},
+        {"connection-lost", connection_lost()},
+        {"waiting", waiting()},
+        {"practice", practice()},
         {"names", awkward_names()},
     };
     const auto sized = [&views](const std::string& name, ViewState state, SDL_Point size) {

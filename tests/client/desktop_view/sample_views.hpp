@@ -1,11 +1,11 @@
 #pragma once
 
+#include "client/desktop/view/view_state.hpp"
+
 #include <SDL2/SDL_rect.h>
 
 #include <string>
 #include <vector>
-
-#include "client/desktop/view/view_state.hpp"
 
 // Pictures of every kind for the tests and for people to look at.
 namespace poolhall::client::samples {

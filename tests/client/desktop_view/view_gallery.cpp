@@ -1,5 +1,8 @@
 // poolhall-view-gallery FOLDER: saves a picture of each kind of view, for people to look at.
 
+#include "tests/client/desktop_view/picture.hpp"
+#include "tests/client/desktop_view/sample_views.hpp"
+
 #include <SDL2/SDL_image.h>
 
 #include <chrono>
@@ -7,9 +10,6 @@
 #include <exception>
 #include <filesystem>
 #include <string>
-
-#include "tests/client/desktop_view/picture.hpp"
-#include "tests/client/desktop_view/sample_views.hpp"
 
 namespace {
 
@@ -19,7 +19,8 @@ namespace samples = poolhall::client::samples;
 double milliseconds(Picture& picture, const poolhall::client::ViewState& state) {
     const auto start = std::chrono::steady_clock::now();
     picture.draw(state, 1);
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
 }
 
 bool save(const samples::NamedView& view, const std::filesystem::path& folder) {
@@ -27,13 +28,15 @@ bool save(const samples::NamedView& view, const std::filesystem::path& folder) {
     const double first = milliseconds(picture, view.state);
     constexpr int kAgain = 20;
     double again = 0;
-    for (int i = 0; i < kAgain; ++i) again += milliseconds(picture, view.state) / kAgain;
+    for (int i = 0; i < kAgain; ++i)
+        again += milliseconds(picture, view.state) / kAgain;
     const std::string path = (folder / (view.name + ".png")).string();
     if (IMG_SavePNG(picture.surface(), path.c_str()) != 0) {
         std::fprintf(stderr, "%s: %s\n", path.c_str(), IMG_GetError());
         return false;
     }
-    std::printf("%-40s %4d x %4d   first %6.1f ms, then %5.2f ms\n", path.c_str(), view.size.x, view.size.y, first, again);
+    std::printf("%-40s %4d x %4d   first %6.1f ms, then %5.2f ms\n", path.c_str(), view.size.x,
+                view.size.y, first, again);
     return true;
 }
 
@@ -50,6 +53,7 @@ int main(int argc, char** argv) try {
         if (!save(view, folder)) return 1;
     }
     return 0;
+
 } catch (const std::exception& error) {
     std::fprintf(stderr, "poolhall-view-gallery: %s\n", error.what());
     return 1;
