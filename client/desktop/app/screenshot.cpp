@@ -47,10 +47,15 @@ Result<std::filesystem::path, ScreenshotError> save_screenshot(
     std::filesystem::create_directories(folder, unmade);
     const auto path = free_name(folder);
     if (!path) return ScreenshotError{"No screenshot: " + folder.string() + " is full of them"};
+    // Written beside its place first: whoever waits for the file finds it whole.
+    const std::string unfinished = path->string() + ".part";
     const Surface surface = read_pixels(renderer);
-    if (!surface || IMG_SavePNG(surface.get(), path->c_str()) != 0) {
+    if (!surface || IMG_SavePNG(surface.get(), unfinished.c_str()) != 0) {
         return ScreenshotError{"No screenshot: " + std::string(SDL_GetError())};
     }
+    std::error_code error;
+    std::filesystem::rename(unfinished, *path, error);
+    if (error) return ScreenshotError{"No screenshot: " + path->string() + ": " + error.message()};
     return *path;
 }
 
