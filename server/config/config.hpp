@@ -11,7 +11,7 @@ namespace poolhall::server {
 
 struct ServerConfig {
     std::string listen = "127.0.0.1:8080";  ///< ADDR:PORT
-    std::string data = "poolhall-data";     ///< folder of the replay store
+    std::string data = "data";              ///< folder of the replay store
     std::uint32_t threads = 1;
     std::uint32_t max_matches = 10000;
     std::uint32_t max_spectators = 1000;  ///< of one match
