@@ -32,8 +32,15 @@ std::string as_ordinary_user(const Body& body) {
     return result;
 }
 
+constexpr auto kReadFolder = static_cast<std::filesystem::perms>(0555);
+constexpr auto kWriteFolder = static_cast<std::filesystem::perms>(0777);
+constexpr auto kReadFile = static_cast<std::filesystem::perms>(0444);
+constexpr auto kWriteFile = static_cast<std::filesystem::perms>(0666);
+
 class StoreOpen : public testing::Test {
   protected:
+    void TearDown() override { std::filesystem::permissions(folder(), kWriteFolder); }
+
     void fill() const {
         store_match(*open_store(folder_.path()), "m1", "BCDFGH", played_match("m1", 3));
     }
@@ -52,11 +59,6 @@ class StoreOpen : public testing::Test {
   private:
     TemporaryFolder folder_;
 };
-
-constexpr auto kReadFolder = static_cast<std::filesystem::perms>(0555);
-constexpr auto kWriteFolder = static_cast<std::filesystem::perms>(0777);
-constexpr auto kReadFile = static_cast<std::filesystem::perms>(0444);
-constexpr auto kWriteFile = static_cast<std::filesystem::perms>(0666);
 
 TEST_F(StoreOpen, CreatesTheFolderAndTheTables) {
     EXPECT_EQ(open_failure(folder() / "a" / "b"), "ok");
