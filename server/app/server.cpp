@@ -71,6 +71,7 @@ struct Server::State {
     void schedule_sweep();
     void each_session(const std::function<void(Outlet&)>& act);
     bool wait_for_sessions(std::chrono::milliseconds limit) const;
+    void run_rest();
 
     Counters counters;
     std::unique_ptr<ReplayStore> store;
@@ -125,6 +126,15 @@ bool Server::State::wait_for_sessions(std::chrono::milliseconds limit) const {
     return true;
 }
 
+/// Tasks that are left hold sessions of other loops, which must be gone before those loops are.
+void Server::State::run_rest() {
+    for (bool ran = true; ran;) {
+        ran = false;
+        for (const auto& shard : shards)
+            ran = shard->loop.run_ready() || ran;
+    }
+}
+
 Result<std::unique_ptr<Server>, std::string> Server::start(const ServerConfig& config) {
     Shards shards = make_shards(config.threads);
     auto listener = Listener::bind(config.listen, *shards.front());
@@ -153,11 +163,11 @@ Server::Server(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Server::~Server() {
     drain();
-    // Loops first: what they run uses the rest. Readers may still post to a loop, so the loops
-    // stay.
+    // Loops first: what they run uses the rest.
     for (const auto& shard : state_->shards)
         shard->loop.stop();
     state_->readers.join();
+    state_->run_rest();
     state_->store.reset();
 }
 

@@ -177,16 +177,20 @@ class Counted {
 
 net::Async<void> serve_connection(net::Socket socket, Shard& shard, ConnectionServices& services) {
     const Counted counted(services.counters.connections);
-    const auto wire = std::make_shared<Wire>(std::move(socket));
+    auto wire = std::make_shared<Wire>(std::move(socket));
     net::error_code ignored;  // without it answers are only slower, or the peer is gone already
     wire->socket.set_option(net::ip::tcp::no_delay(true), ignored);
     auto upgrade = co_await serve_http(wire, shard, services);
     wire->timer.cancel();
-    if (upgrade)
-        co_await run_session(std::move(wire->socket), std::move(upgrade->first), upgrade->second,
-                             shard, services);
-    else
+    if (!upgrade) {
         wire->socket.shutdown(net::socket_base::shutdown_send, ignored);
+        co_return;
+    }
+    // A session may last for hours: what only the handshake needed goes now.
+    net::Socket upgraded = std::move(wire->socket);
+    wire.reset();
+    auto [request, handshake] = *std::exchange(upgrade, std::nullopt);
+    co_await run_session(std::move(upgraded), std::move(request), handshake, shard, services);
 }
 
 }  // namespace poolhall::server

@@ -146,8 +146,7 @@ Route find_get(const RouteServices& services, std::string_view path, std::string
         return answer(services.ready() ? HttpReply{200, "text/plain", "ready\n", {}}
                                        : error_reply(503, "The server is shutting down."));
     if (path == "/metrics") return {false, [&services] { return metrics(services.counters); }};
-    if (path == "/api/matches")
-        return {false, [&services] { return list_matches(services.lobby); }};
+    if (path == "/api/matches") return {true, [&services] { return list_matches(services.lobby); }};
     if (path == kReplays) return list_route(services.store, query);
     if (path.starts_with(kReplays) && path[kReplays.size()] == '/') {
         const std::string id(path.substr(kReplays.size() + 1));

@@ -16,7 +16,7 @@ struct RouteServices {
 };
 
 struct Route {
-    bool blocking = false;  ///< reads the disk: not for an event loop
+    bool blocking = false;  ///< takes long, or reads the disk: not for an event loop
     std::function<HttpReply()> answer;
 };
 

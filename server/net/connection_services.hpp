@@ -28,7 +28,7 @@ struct ConnectionServices {
     Lobby& lobby;
     Counters& counters;
     RouteServices routes;
-    boost::asio::thread_pool& readers;  ///< for routes that read the disk
+    boost::asio::thread_pool& readers;  ///< for routes that block
     std::vector<std::string> allowed_origins;
     std::int64_t max_sessions = 0;
     std::atomic<std::uint64_t> last_member{0};

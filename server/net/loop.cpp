@@ -28,6 +28,11 @@ void Loop::stop() {
     if (thread_.joinable()) thread_.join();
 }
 
+bool Loop::run_ready() {
+    context_->restart();
+    return context_->poll() > 0;
+}
+
 void Loop::post(Task task) {
     net::post(*context_, std::move(task));
 }

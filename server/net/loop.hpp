@@ -28,6 +28,8 @@ class Loop {
     void start();
     /// Safe from any other thread, and more than once. The task in progress is finished.
     void stop();
+    /// On a stopped loop: runs what is ready, on the calling thread; false if nothing was.
+    bool run_ready();
     /// Safe from any thread.
     void post(Task task);
 

@@ -1,11 +1,8 @@
 #include "server/room/room.hpp"
 
 #include "server/app/identity.hpp"
-#include "server/app/log_text.hpp"
-#include "shared/physics/simulate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <spdlog/spdlog.h>
 #include <utility>
 #include <variant>
@@ -13,11 +10,8 @@
 namespace poolhall::server {
 
 using protocol::RejectCode;
-using protocol::Stream;
 
 namespace {
-
-using Seconds = std::chrono::duration<double>;
 
 constexpr auto kAimInterval = std::chrono::milliseconds(33);
 /// A thousand spectators who come at once shall not make a million tables.
@@ -112,234 +106,6 @@ void Room::handle(const Request& request) {
     std::visit([&](const auto& command) { on(request, command); }, request.message.body);
 }
 
-// ---- coming and going
-
-/// Somebody takes a seat, maybe with the whole match still to be begun.
-struct Room::Admission {
-    Seat seat;
-    std::string name;
-    Stream stream = Stream::kStates;
-    std::vector<StoreJob> before;  ///< stored ahead of the seat
-};
-
-void Room::on(const Request& request, const protocol::CreateMatch& command) {
-    const protocol::MatchRecord record{match_.id(), std::string(match_.rules().name),
-                                       std::string(kServerName), unix_ms()};
-    const protocol::GameRecord game{match_.game_number(), match_.game().turn};
-    admit(request, {Seat{0},
-                    command.name,
-                    command.stream,
-                    {CreateMatchJob{match_.code(), record}, AppendGameJob{match_.id(), game}}});
-}
-
-void Room::on(const Request& request, const protocol::JoinMatch& command) {
-    admit(request, {*match_.open_seat(), command.name, command.stream, {}});
-}
-
-void Room::admit(const Request& request, const Admission& admission) {
-    const std::string token = new_token();
-    SeatHolder holder{admission.name, hash_token(token), request.member.id};
-    std::vector<StoreJob> jobs = admission.before;
-    jobs.push_back(seat_job(admission.seat, holder.name, holder.token));
-    const bool created = !admission.before.empty();
-    store(std::move(jobs),
-          [=, this, seat = admission.seat, stream = admission.stream](const auto& error) {
-              if (error) {
-                  reject(request, {RejectCode::kStorage, *error});
-                  if (created) close("it could not be stored");
-                  return;
-              }
-              match_.take_seat(seat, holder);
-              spdlog::info("match {} {}: {} takes seat {}", match_.id(),
-                           created ? "created" : "joined", in_quotes(holder.name), seat.value);
-              joined(request, stream, token);
-          });
-}
-
-void Room::on(const Request& request, const protocol::WatchMatch& command) {
-    match_.watch(request.member.id, command.name);
-    joined(request, command.stream, {});
-}
-
-void Room::on(const Request& request, const protocol::Resume& command) {
-    if (const auto replaced = match_.resume(hash_token(command.token), request.member.id))
-        replace(*replaced);
-    joined(request, command.stream, command.token);
-}
-
-/// A newer connection has the seats: the older must not come back and take them again.
-void Room::replace(MemberId member) {
-    if (const Member* older = followers_.find(member))
-        older->loop->post([outlet = older->outlet] {
-            outlet->close(CloseReason::kPolicy, "Your seat was resumed from another connection.");
-        });
-    followers_.remove(member);
-}
-
-void Room::joined(const Request& request, Stream stream, const std::string& token) {
-    const bool seated = !match_.seats_of(request.member.id).empty();
-    // To the others first: the newcomer's table already has itself in it.
-    if (seated)
-        announce_table();
-    else
-        spectators_.request();
-    FanOut::send(request.member,
-                 protocol::Joined{request.message.seq, token, match_.seats_of(request.member.id),
-                                  match_.table()});
-    followers_.add(request.member, stream);
-    finish(request);
-}
-
-/// A spectator, who may have come without a name, as a player.
-SeatHolder Room::newcomer(MemberId member, const std::string& token) const {
-    std::string name = match_.spectator_name(member);
-    return {name.empty() ? "Guest" : std::move(name), hash_token(token), member};
-}
-
-void Room::on(const Request& request, const protocol::TakeSeat& command) {
-    const auto seats = match_.seats_of(request.member.id);
-    const bool seated = !seats.empty();
-    // One token for all of a person's seats; a spectator has none yet and is answered with one.
-    const std::string token = seated ? std::string() : new_token();
-    const SeatHolder holder =
-        seated ? *match_.holder(seats.front()) : newcomer(request.member.id, token);
-    store({seat_job(command.seat, holder.name, holder.token)}, [=, this](const auto& error) {
-        if (error) return reject(request, {RejectCode::kStorage, *error});
-        match_.take_seat(command.seat, holder);
-        if (seated)
-            accept(request);
-        else
-            FanOut::send(request.member,
-                         protocol::Joined{request.message.seq, token,
-                                          match_.seats_of(request.member.id), match_.table()});
-        announce_table();
-        finish(request);
-    });
-}
-
-void Room::on(const Request& request, const protocol::LeaveSeat& command) {
-    store({seat_job(command.seat, {}, {})}, [=, this](const auto& error) {
-        if (error) return reject(request, {RejectCode::kStorage, *error});
-        match_.leave_seat(command.seat);
-        accept(request);
-        announce_table();
-        finish(request);
-    });
-}
-
-void Room::on(const Request& request, const protocol::Leave&) {
-    const auto leave = [=, this](const std::optional<std::string>& error) {
-        if (error) return reject(request, {RejectCode::kStorage, *error});
-        match_.leave(request.member.id);
-        accept(request);
-        remove(request.member.id);
-        request.done({});
-    };
-    std::vector<StoreJob> jobs;
-    for (const Seat seat : match_.seats_of(request.member.id))
-        jobs.push_back(seat_job(seat, {}, {}));
-    if (jobs.empty()) return leave({});
-    store(std::move(jobs), leave);
-}
-
-void Room::remove(MemberId member) {
-    if (!followers_.find(member)) return;
-    followers_.remove(member);
-    empty_since_ = Clock::now();
-    if (match_.deserted() && followers_.empty() && !closed_) return close("everybody left");
-    spectators_.request();
-}
-
-// ---- the game
-
-void Room::on(const Request& request, const protocol::Aim& command) {
-    match_.set_aim(command.direction);
-    accept(request);
-    aim_.request();
-    finish(request);
-}
-
-void Room::on(const Request& request, const protocol::PlaceCueBall& command) {
-    match_.place_cue_ball(command.position);
-    accept(request);
-    aim_.request();
-    finish(request);
-}
-
-void Room::on(const Request& request, const protocol::Shoot& command) {
-    ShotOutcome outcome = match_.rules().play(match_.game(), {command.direction});
-    StoreJob job = shot_job(outcome, command.seat);
-    store({std::move(job)}, [=, this, outcome = std::move(outcome)](const auto& error) {
-        if (error) {
-            spdlog::error("match {}: shot not stored: {}", match_.id(), *error);
-            return reject(request, {RejectCode::kStorage,
-                                    "The shot could not be stored: it was not played."});
-        }
-        match_.set_aim(command.direction);
-        accept(request);
-        start_shot(outcome, command.seat);
-        finish(request);
-    });
-}
-
-void Room::on(const Request& request, const protocol::Rematch& command) {
-    const bool both = match_.wants_rematch(opponent(command.seat));
-    if (both) return start_next_game(request);
-    match_.vote_rematch(command.seat);
-    accept(request);
-    announce_table();
-    finish(request);
-}
-
-void Room::start_next_game(const Request& request) {
-    const protocol::GameRecord record{match_.game_number() + 1, match_.next_first()};
-    store({AppendGameJob{match_.id(), record}}, [=, this](const auto& error) {
-        if (error) return reject(request, {RejectCode::kStorage, *error});
-        match_.start_next_game();
-        accept(request);
-        announce_table();
-        finish(request);
-    });
-}
-
-void Room::on(const Request& request, const protocol::Ping&) {
-    FanOut::send(request.member, protocol::Pong{request.message.seq});
-    finish(request);
-}
-
-void Room::start_shot(ShotOutcome outcome, Seat seat) {
-    protocol::ShotStarted started{
-        match_.shots() + 1, seat, outcome.scene, hash_of(outcome.scene), {}};
-    const std::uint64_t final_hash = outcome.trace.hash;
-    match_.start_shot(std::move(outcome));
-    followers_.send(started, Stream::kStates);
-    started.final_hash = final_hash;
-    followers_.send(started, Stream::kShots);
-    services_.counters.shots.fetch_add(1, std::memory_order_relaxed);
-    update_summary();
-    playout_start_ = Clock::now();
-    schedule_tick();
-}
-
-/// Deadlines count from the start of the shot, so that lateness never adds up.
-void Room::schedule_tick() {
-    due_tick_ = match_.playout()->tick() + 1;
-    const auto due = std::chrono::duration_cast<Clock::duration>(Seconds(due_tick_ / kPlayoutHz));
-    playout_timer_.at(playout_start_ + due, [self = shared_from_this()] { self->tick(); });
-}
-
-void Room::tick() {
-    const Playout& playout = *match_.playout();
-    // A loop that was late skips to the newest tick; its frame has all events since the last one.
-    const Seconds elapsed = Clock::now() - playout_start_;
-    const auto newest = static_cast<std::uint32_t>(elapsed.count() * kPlayoutHz);
-    const std::uint32_t tick = std::min(std::max(due_tick_, newest), playout.last_tick());
-    if (tick > playout.tick()) followers_.send(match_.advance(tick), Stream::kStates);
-    if (!playout.finished()) return schedule_tick();
-    followers_.send(match_.finish_shot());
-    update_summary();
-}
-
 // ---- telling
 
 void Room::announce_table() {
@@ -403,19 +169,6 @@ void Room::update_summary() {
 MatchSummary Room::summary() const {
     const std::lock_guard lock(summary_mutex_);
     return summary_;
-}
-
-StoreJob Room::seat_job(Seat seat, const std::string& name, const TokenHash& token) const {
-    return SetSeatJob{match_.id(), {seat, name}, token};
-}
-
-StoreJob Room::shot_job(const ShotOutcome& outcome, Seat seat) const {
-    protocol::ShotRecord record = protocol::shot_record(outcome);
-    record.shot = match_.shots() + 1;
-    record.game_number = match_.game_number();
-    record.seat = seat;
-    record.at_ms = unix_ms();
-    return AppendShotJob{match_.id(), std::move(record)};
 }
 
 }  // namespace poolhall::server

@@ -94,6 +94,7 @@ net::Async<void> Session::run(HttpRequest upgrade) {
     configure();
     const auto [error] = co_await stream_.async_accept(upgrade, net::kAwait);
     if (error) co_return;
+    upgrade = {};  // not needed for the hours that a session may last
     begin();
     std::exception_ptr failure;
     try {

@@ -1,5 +1,8 @@
 #include "tests/server/support/table.hpp"
 
+#include <csignal>
+#include <sys/resource.h>
+
 // What people do at a table, and what must not be left behind when they go.
 namespace poolhall::server::test {
 namespace {
@@ -163,6 +166,44 @@ TEST(Behaviour, LimitsOfMatchesAndSpectatorsHold) {
     EXPECT_FALSE(first.ask(WatchMatch{table.code(), ""}));
     Client second(server.json());
     EXPECT_EQ(second.ask(WatchMatch{table.code(), ""})->code, RejectCode::kSpectatorsFull);
+}
+
+/// While it lives, no file of this process can grow, as on a full disk.
+class FullDisk {
+  public:
+    FullDisk() {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit full = before_;
+        full.rlim_cur = 0;
+        std::signal(SIGXFSZ, SIG_IGN);
+        setrlimit(RLIMIT_FSIZE, &full);
+    }
+
+    ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+  private:
+    rlimit before_{};
+};
+
+TEST(Behaviour, ShotThatCannotBeStoredIsNotPlayed) {
+    RunningServer server;
+    Table table(server);
+    {
+        const FullDisk full;
+        EXPECT_EQ(table.players[0].ask(Shoot{Seat{0}, kSafeDirection})->code, RejectCode::kStorage);
+        Client other(server.json());
+        EXPECT_EQ(other.ask(CreateMatch{"Cy"})->code, RejectCode::kStorage);
+    }
+    Client watcher(server.json());
+    watcher.send(WatchMatch{table.code(), ""});
+    TableState after = watcher.expect<Joined>().table;
+    after.spectators = 0;
+    EXPECT_EQ(after, table.joined[1].table);
+    EXPECT_EQ(table.play(Seat{0}, kScratchDirection).shot, 1U);
+    EXPECT_TRUE(eventually([&] { return server.server().counters().matches.load() == 1; }));
 }
 
 TEST(Behaviour, DrainTellsEverySessionWhy) {
