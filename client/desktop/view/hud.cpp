@@ -34,11 +34,12 @@ void add_turn_marker(Mesh& mesh, SDL_FPoint left_middle, float size) {
 }
 
 // Told apart by shape as well as colour: full when all is well, a ring while it is not.
-void add_connection_dot(Mesh& mesh, SDL_FPoint at, float radius, bool connected) {
-    if (connected) {
+void add_connection_dot(Mesh& mesh, SDL_FPoint at, float radius, Link link) {
+    if (link == Link::kOnline) {
         add_disc(mesh, at, radius, kGood);
     } else {
-        add_ring(mesh, at, 0.8F * radius, {std::max(1.2F, 0.45F * radius), kWarn});
+        const SDL_Color colour = link == Link::kOffline ? kDim : kWarn;
+        add_ring(mesh, at, 0.8F * radius, {std::max(1.2F, 0.45F * radius), colour});
     }
 }
 
@@ -89,16 +90,17 @@ void draw_seat(Canvas& canvas, Text& text, const Layout& layout, const SeatPanel
     const float left = box.x + 38 * ui;
     const float wins = open ? 0 : draw_wins(text, layout, panel);
     const float room = box.x + box.w - wins - left - 6 * ui;
-    const float first_row = box.y + 0.33F * box.h;
+    const std::string below = second_line(panel, online);
+    const float first_row = box.y + (below.empty() ? 0.5F : 0.33F) * box.h;
     const float second_row = box.y + 0.72F * box.h;
     draw_name(text, layout, panel.seat, {left, first_row, Align::kLeft, room});
     float x = left;
     if (online && !open) {
-        add_connection_dot(shapes, {x + 5 * ui, second_row}, 5 * ui, panel.seat.connected);
+        add_connection_dot(shapes, {x + 5 * ui, second_row}, 5 * ui,
+                           panel.seat.connected ? Link::kOnline : Link::kLost);
         x += 16 * ui;
     }
-    text.draw(second_line(panel, online), {text_size(layout, 13), kDim},
-              {x, second_row, Align::kLeft, left + room - x});
+    text.draw(below, {text_size(layout, 13), kDim}, {x, second_row, Align::kLeft, left + room - x});
 }
 
 void draw_code(Text& text, const Layout& layout, const MatchView& match, float room) {
@@ -211,7 +213,7 @@ void draw_bottom_lines(Canvas& canvas, Text& text, const Layout& layout, const V
     const float width =
         text.draw(connection_line(state), style, {right, second_row, Align::kRight, 0.6F * area.w});
     add_connection_dot(canvas.shapes(), {right - width - 11 * ui, second_row}, 5 * ui,
-                       state.match.link == Link::kOnline);
+                       state.match.link);
     text.draw(state.status, {text_size(layout, 14), kGold},
               {margin, second_row, Align::kLeft, right - width - 22 * ui - 2 * margin});
 }

@@ -85,6 +85,12 @@ void add_panel(Mesh& mesh, const SDL_FRect& box, float radius, SDL_Color edge) {
     add_rounded_frame(mesh, box, radius, {std::max(1.5F, radius / 9), edge});
 }
 
+void add_key_cap(Mesh& mesh, const SDL_FRect& box) {
+    const float rounding = 0.23F * box.h;
+    add_rounded_rect(mesh, box, rounding, {58, 64, 76, 255});
+    add_rounded_frame(mesh, box, rounding, {1, {96, 104, 120, 255}});
+}
+
 // Column widths and heights of the help screen, px.
 struct HelpGrid {
     SDL_FRect box;
@@ -142,22 +148,28 @@ void draw_help(Canvas& canvas, Text& text, const Layout& layout) {
     canvas.veil({0, 0, 0, 120});
     Mesh& shapes = canvas.shapes();
     add_panel(shapes, grid.box, std::min(16 * layout.ui, grid.row), {92, 100, 116, 255});
+    const TextStyle key_style{grid.font, kBright, true};
     const float left = grid.box.x + 1.2F * grid.row;
-    float y = grid.box.y + 1.25F * grid.row;
-    text.draw("Keys and mouse", {1.4F * grid.font, kWon, true}, {left, y});
-    text.draw("F1 closes this", {0.9F * grid.font, kDim},
-              {grid.box.x + grid.box.w - 1.2F * grid.row, y, Align::kRight});
-    y += 0.25F * grid.row;
+    const float title = grid.box.y + 1.25F * grid.row;
+    const float first = title + 1.25F * grid.row;
+    // All shapes before all text: each change from one to the other is another batch.
+    float y = first;
     for (const KeyRow& key : kKeyTable) {
+        const float cap = text.width(key.key, key_style) + 0.8F * grid.row;
+        add_key_cap(shapes, {left, y - 0.39F * grid.row, cap, 0.78F * grid.row});
         y += grid.row;
-        const float cap = text.width(key.key, {grid.font, kBright, true}) + 0.8F * grid.row;
-        const SDL_FRect box{left, y - 0.39F * grid.row, cap, 0.78F * grid.row};
-        add_rounded_rect(shapes, box, 0.18F * grid.row, {58, 64, 76, 255});
-        add_rounded_frame(shapes, box, 0.18F * grid.row, {1, {96, 104, 120, 255}});
-        text.draw(key.key, {grid.font, kBright, true}, {left + 0.4F * grid.row, y});
-        const float column = left + grid.keys + 1.5F * grid.row;
-        const float room = grid.box.x + grid.box.w - column - 0.5F * grid.row;
-        text.draw(key.action, {grid.font, kDim}, {column, y, Align::kLeft, room});
+    }
+    const float right = grid.box.x + grid.box.w;
+    text.draw("Keys and mouse", {1.4F * grid.font, kWon, true}, {left, title});
+    text.draw("F1 closes this", {0.9F * grid.font, kDim},
+              {right - 1.2F * grid.row, title, Align::kRight});
+    const float column = left + grid.keys + 1.5F * grid.row;
+    y = first;
+    for (const KeyRow& key : kKeyTable) {
+        text.draw(key.key, key_style, {left + 0.4F * grid.row, y});
+        text.draw(key.action, {grid.font, kDim},
+                  {column, y, Align::kLeft, right - column - 0.5F * grid.row});
+        y += grid.row;
     }
 }
 
