@@ -25,6 +25,8 @@ bool waits_for_display(SDL_Renderer* renderer) {
 Window::Sdl::Sdl() {
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    // The software renderer is asked for where OpenGL is slow or broken: its picture should not go through OpenGL then.
+    SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_EVENTS) != 0) fail("no display");
 }
 
@@ -34,13 +36,15 @@ Window::Sdl::~Sdl() {
 
 Window::Window(const std::string& title, int width, int height) : title_(title) {
     constexpr int kAnywhere = SDL_WINDOWPOS_CENTERED;
-    window_.reset(SDL_CreateWindow(title.c_str(), kAnywhere, kAnywhere, width, height,
-                                   SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+    // Hidden at first: the renderer may make the window anew to suit itself.
+    constexpr Uint32 kFlags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI | SDL_WINDOW_HIDDEN;
+    window_.reset(SDL_CreateWindow(title.c_str(), kAnywhere, kAnywhere, width, height, kFlags));
     if (!window_) fail("no window");
     SDL_SetWindowMinimumSize(window_.get(), kMinWindowWidth, kMinWindowHeight);
     renderer_.reset(make_renderer(window_.get()));
     if (!renderer_) fail("no renderer");
     paced_by_display_ = waits_for_display(renderer_.get());
+    SDL_ShowWindow(window_.get());
 }
 
 SDL_FPoint Window::to_pixels(int x, int y) const {

@@ -71,14 +71,13 @@ class Client:
         if "--screenshots" not in arguments:
             arguments = (*arguments, "--screenshots", str(self.shots))
         self.process = subprocess.Popen([program, *arguments], env=environment, stderr=self.errors)
-        self.window = wait_for("the window", self._find_window)
-        wait_for(f"the title {title}", lambda: self.title().startswith(title))
+        self.window = wait_for(f"a window {title}", lambda: self._find_window(title))
         time.sleep(0.5)  # for the first picture
 
-    def _find_window(self):
+    def _find_window(self, title):
         assert self.process.poll() is None, f"the client ended: {self.error_text()}"
-        found = subprocess.run(["xdotool", "search", "--pid", str(self.process.pid), "--name", "Poolhall"],
-                               capture_output=True, text=True)
+        found = subprocess.run(["xdotool", "search", "--all", "--onlyvisible", "--pid", str(self.process.pid),
+                                "--name", "^" + title], capture_output=True, text=True)
         return found.stdout.split()[-1] if found.stdout.split() else None
 
     def error_text(self):
@@ -87,10 +86,6 @@ class Client:
 
     def _xdotool(self, *arguments):
         subprocess.run(["xdotool", *arguments], check=True, capture_output=True)
-
-    def title(self):
-        found = subprocess.run(["xdotool", "getwindowname", self.window], capture_output=True, text=True)
-        return found.stdout.strip()
 
     def focus(self):
         self._xdotool("windowraise", self.window, "windowfocus", "--sync", self.window)
@@ -124,7 +119,7 @@ class Client:
         """Presses P and gives what it saved."""
         before = set(self.shots.glob("*.png"))
         self.key("p")
-        new = wait_for("the screenshot", lambda: set(self.shots.glob("*.png")) - before)
+        new = wait_for("a screenshot", lambda: set(self.shots.glob("*.png")) - before)
         return Picture(new.pop())
 
     def cpu_seconds(self):
