@@ -43,7 +43,7 @@ class Picture {
 
   private:
     struct DestroyRenderer {
-        void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+        void operator()(SDL_Renderer* owned) const { SDL_DestroyRenderer(owned); }
     };
 
     SurfacePtr surface_;

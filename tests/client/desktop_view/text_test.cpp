@@ -9,7 +9,7 @@ namespace {
 class TextTest : public testing::Test {
   protected:
     struct DestroyRenderer {
-        void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+        void operator()(SDL_Renderer* owned) const { SDL_DestroyRenderer(owned); }
     };
 
     SurfacePtr surface{SDL_CreateRGBSurfaceWithFormat(0, 400, 100, 32, SDL_PIXELFORMAT_ARGB8888)};
