@@ -58,6 +58,12 @@ std::vector<BallView> ShownTable::balls() const {
     return balls;
 }
 
+bool ShownTable::scratched() const {
+    const Shot* shot = playback_.shot();
+    return shot != nullptr && shot->cue_ball.value < shot->timeline.ball_count() &&
+           shot->timeline.sunk(shot->cue_ball, playback_.time());
+}
+
 std::optional<Ruling> ShownTable::result() const {
     std::optional<Ruling> ruling = playback_.ruling();
     const auto& table = match_.info().table;

@@ -28,6 +28,8 @@ class ShownTable {
     /// The seat that may aim and shoot from here, now.
     [[nodiscard]] std::optional<Seat> acting_seat() const;
     [[nodiscard]] std::vector<BallView> balls() const;
+    /// A shot is shown, and the cue ball has gone down in it.
+    [[nodiscard]] bool scratched() const;
     /// How the game ended, once that can be seen.
     [[nodiscard]] std::optional<Ruling> result() const;
 

@@ -25,7 +25,8 @@ bool waits_for_display(SDL_Renderer* renderer) {
 Window::Sdl::Sdl() {
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-    // The software renderer is asked for where OpenGL is slow or broken: its picture should not go through OpenGL then.
+    // The software renderer is asked for where OpenGL is slow or broken: its picture should not go
+    // through OpenGL then.
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_EVENTS) != 0) fail("no display");
 }

@@ -70,7 +70,8 @@ std::string hint(const MatchInfo& info, const ShownTable& shown, bool step_mode)
     if (!table) return info.trouble.empty() ? "" : "Esc leaves";
     if (!shown.at_rest()) {
         if (step_mode) return "Step mode: Space advances 1/30 s, F3 leaves it";
-        return shown.result() && practice(info) ? "Space starts a new game" : "";
+        if (shown.result() && practice(info)) return "Space starts a new game";
+        return shown.scratched() ? "Scratch: the cue ball is down" : "";
     }
     switch (table->phase) {
         case Phase::kWaiting:

@@ -87,12 +87,14 @@ std::vector<ServerMessage> messages_of_shot(const TableState& table, Vec2 direct
     return messages;
 }
 
-Vec2 direction_with(Verdict verdict) {
+Vec2 direction_with(Verdict verdict, double after) {
     const GameState game = kEndGameRules.new_game(Seat{0});
     for (int i = 0; i < 3600; ++i) {
         const double angle = i * 0.0017453292519943295;
         const Vec2 direction{std::cos(angle), std::sin(angle)};
-        if (kEndGameRules.play(game, {direction}).ruling.verdict == verdict) return direction;
+        const ShotOutcome outcome = kEndGameRules.play(game, {direction});
+        const bool rolls_on = outcome.trace.duration >= outcome.ruling.decided_at + after;
+        if (outcome.ruling.verdict == verdict && rolls_on) return direction;
     }
     throw std::runtime_error("no such direction");
 }

@@ -60,7 +60,8 @@ class TemporaryFolder {
 /// Straight at the 8-ball from the middle of the base line: nothing goes down.
 inline constexpr Vec2 kStraight{1, 0};
 
-/// Directions from the middle of the base line that end the game, found by trying.
-[[nodiscard]] Vec2 direction_with(Verdict verdict);
+/// A direction from the middle of the base line with that end, found by trying; balls roll on for
+/// at least `after` s once it is certain.
+[[nodiscard]] Vec2 direction_with(Verdict verdict, double after = 0);
 
 }  // namespace poolhall::client

@@ -148,6 +148,15 @@ TEST_F(NetworkTableTest, ResultIsSeenFromEachChair) {
     }
 }
 
+TEST_F(NetworkTableTest, ScratchIsSaidWhileTheOtherBallStillRolls) {
+    enter({Seat{1}});
+    say_all(messages_of_shot(new_table(), direction_with(Verdict::kScratch, 0.5)));
+    while (!controller_.view().balls[0].sunk && now_ < 60)
+        run(1);
+    ASSERT_FALSE(playback_.idle());
+    EXPECT_EQ(controller_.view().hint, "Scratch: the cue ball is down");
+}
+
 TEST_F(NetworkTableTest, LostConnectionIsShownAndSpaceTriesAtOnce) {
     enter({Seat{0}});
     transport_.events.emplace_back(Lost{"No server listens there", 8});
