@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kIdleMatches = 500;
 constexpr std::size_t kIdleSessions = 1000;
+constexpr std::size_t kSpectators = 500;
 
 struct LoadSpec {
     std::size_t matches = 100;
@@ -107,25 +108,44 @@ void measure_rest(const LoadSpec& spec) {
     print("cpu_1_idle_match", scene.cpu_percent(spec.seconds), "% of a core");
 }
 
+double messages_of(Scene& scene) {
+    std::uint64_t sum = 0;
+    for (const Player& player : scene.players())
+        sum += player.messages();
+    return static_cast<double>(sum);
+}
+
+/// Plays on, and prints what it costs under this name.
+void measure_delivery(Scene& scene, const std::string& name, double seconds) {
+    scene.play();
+    scene.run_for(2);
+    const double before = messages_of(scene);
+    const double percent = scene.cpu_percent(seconds);
+    const double rate = (messages_of(scene) - before) / seconds;
+    print("cpu_" + name, percent, "% of a core");
+    print("messages_" + name, rate, "1/s");
+    print("cpu_a_message_" + name, percent / 100 / rate * 1e6, "us");
+}
+
 void measure_play(const LoadSpec& spec) {
     Scene scene;
     scene.players().reserve(2 * spec.matches);
     for (std::size_t i = 0; i < spec.matches; ++i)
         scene.open_table();
-    scene.play();
-    scene.run_for(2);
-    const auto messages = [&] {
-        std::uint64_t sum = 0;
-        for (const Player& player : scene.players())
-            sum += player.shot_traffic().messages;
-        return static_cast<double>(sum);
-    };
-    const double before = messages();
-    const double percent = scene.cpu_percent(spec.seconds);
-    const double rate = (messages() - before) / spec.seconds;
-    print("cpu_" + std::to_string(spec.matches) + "_playing_matches", percent, "% of a core");
-    print("messages_delivered", rate, "1/s");
-    print("cpu_a_message_delivered", percent / 100 / rate * 1e6, "us");
+    measure_delivery(scene, std::to_string(spec.matches) + "_playing_matches", spec.seconds);
+}
+
+void measure_fan_out(const LoadSpec& spec) {
+    Scene scene;
+    scene.players().reserve(2 + kSpectators);
+    scene.open_table();
+    const std::string code = scene.players().front().code();
+    for (std::size_t i = 0; i < kSpectators; ++i) {
+        Player& player = scene.add(i % 2 == 0 ? Encoding::kJson : Encoding::kCbor);
+        player.send(protocol::WatchMatch{code, ""});
+        scene.run_until([&] { return !player.code().empty(); });
+    }
+    measure_delivery(scene, "1_match_" + std::to_string(kSpectators) + "_spectators", spec.seconds);
 }
 
 void measure_memory() {
@@ -192,6 +212,7 @@ int measure(const LoadSpec& spec) {
     std::puts("figure,value,unit");
     measure_rest(spec);
     measure_play(spec);
+    measure_fan_out(spec);
     measure_memory();
     measure_bytes();
     return EXIT_SUCCESS;

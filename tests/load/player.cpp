@@ -49,7 +49,9 @@ struct Player::State : std::enable_shared_from_this<State> {
     std::uint32_t shots_taken = 0;  ///< of the match, when it last shot
     std::uint32_t game_voted = 0;
     bool in_shot = false;
+    std::uint64_t messages = 0;
     std::uint64_t shots = 0;
+    Traffic current;  ///< of the shot that runs
     Traffic traffic;
 };
 
@@ -97,9 +99,10 @@ void Player::State::read_next() {
 void Player::State::take(const protocol::ServerMessage& message, std::size_t size) {
     using namespace protocol;
     if (std::holds_alternative<ShotStarted>(message)) in_shot = true;
+    ++messages;
     if (in_shot && !std::holds_alternative<TableChanged>(message)) {
-        ++traffic.messages;
-        traffic.bytes += size;
+        ++current.messages;
+        current.bytes += size;
     }
     if (const auto* joined = std::get_if<Joined>(&message)) {
         code = joined->table.code;
@@ -110,6 +113,8 @@ void Player::State::take(const protocol::ServerMessage& message, std::size_t siz
     } else if (const auto* ended = std::get_if<ShotEnded>(&message)) {
         in_shot = false;
         ++shots;
+        traffic.messages += std::exchange(current.messages, 0);
+        traffic.bytes += std::exchange(current.bytes, 0);
         look_at(ended->table);
     } else if (const auto* reject = std::get_if<Reject>(&message)) {
         throw std::runtime_error("rejected: " + reject->reason);
@@ -164,6 +169,10 @@ void Player::set_playing(bool playing) {
 
 const std::string& Player::code() const {
     return state_->code;
+}
+
+std::uint64_t Player::messages() const {
+    return state_->messages;
 }
 
 std::uint64_t Player::shots() const {

@@ -35,6 +35,8 @@ class Player {
 
     /// The code of the match that it is in; empty until it is.
     [[nodiscard]] const std::string& code() const;
+    /// Messages that it has got, of every kind.
+    [[nodiscard]] std::uint64_t messages() const;
     /// Shots that it has seen to their end, and all that came for them, shot_started to shot_ended.
     [[nodiscard]] std::uint64_t shots() const;
     [[nodiscard]] const Traffic& shot_traffic() const;
