@@ -38,7 +38,8 @@ void add_triangle(Mesh& mesh, int a, int b, int c) {
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-// Few enough sides to be cheap, so many that none deviates from the circle by a twentieth of a pixel.
+// Few enough sides to be cheap, so many that none deviates from the circle by a twentieth of a
+// pixel.
 int sides_of_circle(float radius) {
     return std::clamp(static_cast<int>(std::ceil(kPi * std::sqrt(10 * std::max(radius, 0.0F)))), 12,
                       180);

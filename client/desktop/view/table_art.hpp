@@ -3,7 +3,6 @@
 #include "client/desktop/render/canvas.hpp"
 #include "client/desktop/view/layout.hpp"
 
-
 namespace poolhall::client {
 
 /// The bare table as a texture. While the window is being resized the old picture is stretched; it
