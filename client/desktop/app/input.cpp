@@ -12,12 +12,18 @@ struct ActionKey {
     Action action;
 };
 
-constexpr ActionKey kActionKeys[] = {
-    {SDLK_ESCAPE, Action::kExit},  {SDLK_F1, Action::kHelp},          {SDLK_F2, Action::kFrameRate},
-    {SDLK_F3, Action::kStepMode},  {SDLK_F4, Action::kCollisionMode}, {SDLK_SPACE, Action::kGo},
-    {SDLK_p, Action::kScreenshot}, {SDLK_m, Action::kMute},           {SDLK_h, Action::kHotSeat},
+constexpr auto kActionKeys = std::to_array<ActionKey>({
+    {SDLK_ESCAPE, Action::kExit},
+    {SDLK_F1, Action::kHelp},
+    {SDLK_F2, Action::kFrameRate},
+    {SDLK_F3, Action::kStepMode},
+    {SDLK_F4, Action::kCollisionMode},
+    {SDLK_SPACE, Action::kGo},
+    {SDLK_p, Action::kScreenshot},
+    {SDLK_m, Action::kMute},
+    {SDLK_h, Action::kHotSeat},
     {SDLK_c, Action::kCopyCode},
-};
+});
 
 struct SteeringKey {
     SDL_Keycode key;
@@ -28,10 +34,14 @@ constexpr double kSlowTurn = 0.1;                       // rad/s
 constexpr double kFastTurn = 1;                         // rad/s
 constexpr double kSlideSpeed = 120 * end_game::kPixel;  // m/s
 
-constexpr SteeringKey kSteering[] = {
-    {SDLK_LEFT, {kSlowTurn, 0}},      {SDLK_RIGHT, {-kSlowTurn, 0}}, {SDLK_PAGEUP, {kFastTurn, 0}},
-    {SDLK_PAGEDOWN, {-kFastTurn, 0}}, {SDLK_UP, {0, kSlideSpeed}},   {SDLK_DOWN, {0, -kSlideSpeed}},
-};
+constexpr auto kSteering = std::to_array<SteeringKey>({
+    {SDLK_LEFT, {kSlowTurn, 0}},
+    {SDLK_RIGHT, {-kSlowTurn, 0}},
+    {SDLK_PAGEUP, {kFastTurn, 0}},
+    {SDLK_PAGEDOWN, {-kFastTurn, 0}},
+    {SDLK_UP, {0, kSlideSpeed}},
+    {SDLK_DOWN, {0, -kSlideSpeed}},
+});
 
 }  // namespace
 

@@ -59,7 +59,7 @@ class TokenStore::FileGuard {
     int file_;
 };
 
-TokenStore::TokenStore(std::filesystem::path folder) : file_(folder / "tokens.json") {
+TokenStore::TokenStore(const std::filesystem::path& folder) : file_(folder / "tokens.json") {
     std::error_code ignored;  // what could not be made cannot be opened either
     if (std::filesystem::create_directories(folder, ignored)) ::chmod(folder.c_str(), 0700);
     lock_file_ = ::open((folder / "tokens.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);

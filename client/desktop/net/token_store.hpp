@@ -16,7 +16,7 @@ namespace poolhall::client {
 /// back to the same seat. When the folder cannot be written, tokens last as long as the process.
 class TokenStore {
   public:
-    explicit TokenStore(std::filesystem::path folder);
+    explicit TokenStore(const std::filesystem::path& folder);
     ~TokenStore();
     TokenStore(const TokenStore&) = delete;
     TokenStore& operator=(const TokenStore&) = delete;

@@ -40,21 +40,25 @@ bool save(const samples::NamedView& view, const std::filesystem::path& folder) {
     return true;
 }
 
+bool save_all(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    for (const samples::NamedView& view : samples::all()) {
+        if (!save(view, folder)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-int main(int argc, char** argv) try {
+int main(int argc, char** argv) {
     if (argc != 2) {
         std::fputs("usage: poolhall-view-gallery FOLDER\n", stderr);
         return 2;
     }
-    const std::filesystem::path folder(argv[1]);
-    std::filesystem::create_directories(folder);
-    for (const samples::NamedView& view : samples::all()) {
-        if (!save(view, folder)) return 1;
+    try {
+        return save_all(argv[1]) ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "poolhall-view-gallery: %s\n", error.what());
+        return 1;
     }
-    return 0;
-
-} catch (const std::exception& error) {
-    std::fprintf(stderr, "poolhall-view-gallery: %s\n", error.what());
-    return 1;
 }
