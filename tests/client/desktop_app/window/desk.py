@@ -71,7 +71,12 @@ class Client:
         if "--screenshots" not in arguments:
             arguments = (*arguments, "--screenshots", str(self.shots))
         self.process = subprocess.Popen([program, *arguments], env=environment, stderr=self.errors)
-        self.window = wait_for(f"a window {title}", lambda: self._find_window(title))
+        try:
+            self.window = wait_for(f"a window {title}", lambda: self._find_window(title))
+        except AssertionError:
+            # Left running, it would take the keys meant for the next window.
+            self.close()
+            raise
         time.sleep(0.5)  # for the first picture
 
     def _find_window(self, title):
