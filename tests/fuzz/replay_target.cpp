@@ -3,8 +3,6 @@
 #include "protocol/replay/record_text.hpp"
 #include "tests/fuzz/targets.hpp"
 
-#include <cstdlib>
-#include <iostream>
 #include <sstream>
 #include <string>
 
@@ -12,12 +10,6 @@ namespace poolhall::fuzz {
 namespace {
 
 using namespace protocol;
-
-void require(bool holds, const char* what) {
-    if (holds) return;
-    std::cerr << "fuzz: " << what << "\n";
-    std::abort();
-}
 
 std::size_t count_records(const std::string& file) {
     std::istringstream input(file);

@@ -14,12 +14,6 @@ namespace {
 
 using namespace protocol;
 
-void require(bool holds, const char* what) {
-    if (holds) return;
-    std::cerr << "fuzz: " << what << "\n";
-    std::abort();
-}
-
 template <class Message, class Decode>
 void check_message(std::string_view bytes, Encoding encoding, Decode decode) {
     const Result<Message, DecodeError> first = decode(bytes, encoding);
@@ -32,6 +26,12 @@ void check_message(std::string_view bytes, Encoding encoding, Decode decode) {
 }
 
 }  // namespace
+
+void require(bool holds, const char* what) {
+    if (holds) return;
+    std::cerr << "fuzz: " << what << "\n";
+    std::abort();
+}
 
 void client_json(std::string_view bytes) {
     check_message<ClientMessage>(bytes, Encoding::kJson, decode_client);

@@ -14,4 +14,7 @@ void server_cbor(std::string_view bytes);
 void scene(std::string_view bytes);
 void replay(std::string_view bytes);
 
+/// Where `what` is wrong because this does not hold, says so on standard error and aborts.
+void require(bool holds, const char* what);
+
 }  // namespace poolhall::fuzz
