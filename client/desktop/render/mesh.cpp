@@ -113,6 +113,27 @@ SDL_FPoint outward(SDL_FPoint before, SDL_FPoint corner, SDL_FPoint after) {
     return square > 0 ? (2 / std::max(square, 0.5F)) * sum : n1;
 }
 
+// The edge of a polygon, from full to transparent. Each corner becomes two vertices, the inner one
+// first; the answer is the first corner's, and filling the inside is left to the caller.
+int add_feathered_outline(Mesh& mesh, std::span<const SDL_FPoint> corners, SDL_Color colour) {
+    const std::size_t count = corners.size();
+    const int base = static_cast<int>(mesh.vertices.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const SDL_FPoint push =
+            outward(corners[(i + count - 1) % count], corners[i], corners[(i + 1) % count]);
+        add_vertex(mesh, corners[i] - kFeather * push, colour);
+        add_vertex(mesh, corners[i] + kFeather * push, faded(colour, 0));
+    }
+    const int sides = static_cast<int>(count);
+    for (int i = 0; i < sides; ++i) {
+        const int in = base + 2 * i;
+        const int next = base + 2 * ((i + 1) % sides);
+        add_triangle(mesh, in, in + 1, next);
+        add_triangle(mesh, next, in + 1, next + 1);
+    }
+    return base;
+}
+
 }  // namespace
 
 void add_disc(Mesh& mesh, SDL_FPoint centre, float radius, SDL_Color colour) {
@@ -185,22 +206,20 @@ void add_dashed_line(Mesh& mesh, SDL_FPoint from, SDL_FPoint to, float dash, Str
 
 void add_convex(Mesh& mesh, std::span<const SDL_FPoint> corners, SDL_Color colour) {
     if (corners.size() < 3) return;
-    const std::size_t count = corners.size();
-    const int base = static_cast<int>(mesh.vertices.size());
-    for (std::size_t i = 0; i < count; ++i) {
-        const SDL_FPoint push =
-            outward(corners[(i + count - 1) % count], corners[i], corners[(i + 1) % count]);
-        add_vertex(mesh, corners[i] - kFeather * push, colour);
-        add_vertex(mesh, corners[i] + kFeather * push, faded(colour, 0));
-    }
-    const int sides = static_cast<int>(count);
-    for (int i = 0; i < sides; ++i) {
-        const int in = base + 2 * i;
-        const int next = base + 2 * ((i + 1) % sides);
-        add_triangle(mesh, in, in + 1, next);
-        add_triangle(mesh, next, in + 1, next + 1);
-        if (i >= 2) add_triangle(mesh, base, in - 2, in);
-    }
+    const int base = add_feathered_outline(mesh, corners, colour);
+    const int end = base + 2 * static_cast<int>(corners.size());
+    for (int in = base + 4; in < end; in += 2)
+        add_triangle(mesh, base, in - 2, in);
+}
+
+void add_star_shape(Mesh& mesh, SDL_FPoint middle, std::span<const SDL_FPoint> corners,
+                    SDL_Color colour) {
+    if (corners.size() < 3) return;
+    const int base = add_feathered_outline(mesh, corners, colour);
+    const int end = base + 2 * static_cast<int>(corners.size());
+    const int hub = add_vertex(mesh, middle, colour);
+    for (int in = base; in < end; in += 2)
+        add_triangle(mesh, hub, in, in + 2 == end ? base : in + 2);
 }
 
 void add_rounded_rect(Mesh& mesh, const SDL_FRect& rect, float radius, SDL_Color colour) {

@@ -44,6 +44,9 @@ void add_line(Mesh& mesh, SDL_FPoint from, SDL_FPoint to, Stroke stroke);
 void add_dashed_line(Mesh& mesh, SDL_FPoint from, SDL_FPoint to, float dash, Stroke stroke);
 /// A convex polygon of three corners or more, clockwise on the screen.
 void add_convex(Mesh& mesh, std::span<const SDL_FPoint> corners, SDL_Color colour);
+/// A polygon of three corners or more, clockwise on the screen, all of which `middle` sees.
+void add_star_shape(Mesh& mesh, SDL_FPoint middle, std::span<const SDL_FPoint> corners,
+                    SDL_Color colour);
 void add_rounded_rect(Mesh& mesh, const SDL_FRect& rect, float radius, SDL_Color colour);
 /// The outline of add_rounded_rect, the stroke's middle on its edge.
 void add_rounded_frame(Mesh& mesh, const SDL_FRect& rect, float radius, Stroke stroke);

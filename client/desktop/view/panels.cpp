@@ -33,17 +33,13 @@ SDL_Color colour_of(Tone tone) {
 }
 
 void add_star(Mesh& mesh, SDL_FPoint middle, float radius, SDL_Color colour) {
-    const auto at = [&](int tenth, float r) {
-        const float angle = (static_cast<float>(tenth) / 5 - 0.5F) * kPi;
-        return SDL_FPoint{middle.x + r * std::cos(angle), middle.y + r * std::sin(angle)};
-    };
-    constexpr float kInner = 0.42F;
-    add_disc(mesh, middle, kInner * radius, colour);  // hides the seams between the points
-    for (int point = 0; point < 10; point += 2) {
-        const std::array<SDL_FPoint, 4> kite{at(point, radius), at(point + 1, kInner * radius),
-                                             middle, at(point - 1, kInner * radius)};
-        add_convex(mesh, kite, colour);
+    std::array<SDL_FPoint, 10> corners{};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const float angle = (static_cast<float>(i) / 5 - 0.5F) * kPi;
+        const float r = i % 2 == 0 ? radius : 0.42F * radius;
+        corners[i] = {middle.x + r * std::cos(angle), middle.y + r * std::sin(angle)};
     }
+    add_star_shape(mesh, middle, corners, colour);
 }
 
 // A star for won, a cross for lost, three dots for the rest.

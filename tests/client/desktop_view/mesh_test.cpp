@@ -74,6 +74,16 @@ TEST(ConvexTest, CoversAPolygonsArea) {
     EXPECT_NEAR(volume(mesh), 600, 6);
 }
 
+// Four points: a square of side 10 with a triangle 20 high on each side. One fan, so that no part
+// is drawn twice.
+TEST(StarShapeTest, CoversAPolygonsAreaOnce) {
+    Mesh mesh;
+    const std::array<SDL_FPoint, 8> star{
+        {{0, -25}, {5, -5}, {25, 0}, {5, 5}, {0, 25}, {-5, 5}, {-25, 0}, {-5, -5}}};
+    add_star_shape(mesh, {0, 0}, star, kOpaque);
+    EXPECT_NEAR(volume(mesh), 500, 5);
+}
+
 TEST(RoundedRectTest, CoversTheRectangleLessItsCorners) {
     Mesh mesh;
     add_rounded_rect(mesh, {10, 10, 60, 40}, 8, kOpaque);
