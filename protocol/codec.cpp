@@ -75,7 +75,7 @@ bool read_seq(const Cursor& cursor, std::uint32_t& seq) {
 Result<ClientMessage, DecodeError> decode_client(std::string_view bytes, Encoding encoding) {
     const auto tree = read_tree(bytes, encoding, kMaxClientMessageBytes);
     if (!tree) return tree.error();
-    Reading reading{wire::UnknownFields::kRefuse, {}};
+    Reading reading{wire::UnknownFields::kRefuse, wire::HexFloats::kRefuse, {}};
     const Cursor root(*tree, reading);
     ClientMessage message;
     if (read_seq(root, message.seq) && read_body(root, message.body, {"type", "seq"}))
@@ -86,7 +86,7 @@ Result<ClientMessage, DecodeError> decode_client(std::string_view bytes, Encodin
 Result<ServerMessage, DecodeError> decode_server(std::string_view bytes, Encoding encoding) {
     const auto tree = read_tree(bytes, encoding, kMaxServerMessageBytes);
     if (!tree) return tree.error();
-    Reading reading{wire::UnknownFields::kSkip, {}};
+    Reading reading{wire::UnknownFields::kSkip, wire::HexFloats::kRefuse, {}};
     const Cursor root(*tree, reading);
     ServerMessage message;
     if (read_body(root, message, {"type"})) return message;

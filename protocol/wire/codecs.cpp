@@ -42,7 +42,7 @@ bool Real::read(const Cursor& cursor, double& value) const {
 }
 
 bool SceneReal::read(const Cursor& cursor, double& value) const {
-    if (!cursor.json().is_string()) return read_finite(cursor, value);
+    if (!cursor.json().is_string() || !cursor.reads_hex_floats()) return read_finite(cursor, value);
     const auto number = parse_hex_float(text_of(cursor));
     if (!number) return cursor.refuse("must be a number or a finite C hex-float string");
     value = *number;

@@ -26,7 +26,7 @@ struct Real {
     [[nodiscard]] Json write(double value, Encoding /*encoding*/) const { return value; }
 };
 
-/// A number of a scene file: a JSON number or a string with a C hex-float.
+/// A number of a scene: a JSON number or, in files, a string with a C hex-float.
 struct SceneReal {
     [[nodiscard]] bool read(const Cursor& cursor, double& value) const;
 
@@ -155,7 +155,7 @@ struct Vector3 {
     }
 };
 
-/// Two numbers of a scene file.
+/// Two numbers of a scene.
 struct SceneVector2 {
     [[nodiscard]] bool read(const Cursor& cursor, Vec2& value) const;
 

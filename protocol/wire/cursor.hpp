@@ -16,6 +16,9 @@ using Json = nlohmann::ordered_json;
 
 enum class UnknownFields : std::uint8_t { kRefuse, kSkip };
 
+/// Whether a number of a scene may also be a string with a C hex-float.
+enum class HexFloats : std::uint8_t { kRefuse, kRead };
+
 /// The first thing that was wrong with a tree.
 struct ReadError {
     RejectCode code = RejectCode::kBadField;
@@ -26,6 +29,7 @@ struct ReadError {
 /// What the cursors of one reading share.
 struct Reading {
     UnknownFields unknown_fields = UnknownFields::kRefuse;
+    HexFloats hex_floats = HexFloats::kRead;
     std::optional<ReadError> error;
 };
 
@@ -40,6 +44,8 @@ class Cursor {
     [[nodiscard]] bool skips_unknown_fields() const {
         return reading_.unknown_fields == UnknownFields::kSkip;
     }
+
+    [[nodiscard]] bool reads_hex_floats() const { return reading_.hex_floats == HexFloats::kRead; }
 
     /// The field of an object, or nullptr.
     [[nodiscard]] const Json* find(std::string_view key) const;

@@ -53,6 +53,15 @@ Json frame_with(const Json& event) {
             {"events", Json::array({event})}};
 }
 
+TEST(DecodeServer, RefusesTheHexFloatsOfFiles) {
+    Json event = rail_event();
+    event["before"][0]["v"][0] = "0x1p0";
+    expect_bad(frame_with(event), "field /events/0/before/0/v/0 must be a number");
+    Json tree = sample<ShotStarted>();
+    tree["scene"]["table"]["length"] = "0x1p1";
+    expect_bad(tree, "field /scene/table/length must be a number");
+}
+
 TEST(DecodeServer, SkipsUnknownFieldsEverywhere) {
     Json tree = sample<TableChanged>();
     const auto expected = decode_server(tree.dump(), Encoding::kJson);
