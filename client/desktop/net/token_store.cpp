@@ -72,11 +72,10 @@ TokenStore::~TokenStore() {
 std::optional<std::string> TokenStore::claim(std::string_view server, std::string_view code) {
     const FileGuard guard(lock_file_);
     const auto entries = read();
-    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-        if (entry->server == server && entry->code == code && lock_token(entry->token))
-            return entry->token;
-    }
-    return std::nullopt;
+    const auto newest = std::find_if(entries.rbegin(), entries.rend(), [&](const Entry& entry) {
+        return entry.server == server && entry.code == code && lock_token(entry.token);
+    });
+    return newest == entries.rend() ? std::nullopt : std::optional(newest->token);
 }
 
 void TokenStore::keep(std::string_view server, std::string_view code, std::string_view token) {
