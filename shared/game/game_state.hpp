@@ -3,6 +3,7 @@
 #include "shared/physics/scene.hpp"
 #include "shared/physics/trace.hpp"
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string_view>

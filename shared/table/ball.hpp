@@ -2,6 +2,7 @@
 
 #include "shared/math/vec3.hpp"
 
+#include <compare>
 #include <cstdint>
 
 namespace poolhall {
