@@ -4,11 +4,11 @@
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
 #include "shared/physics/time_of_impact.hpp"
+#include "tests/bench/build_info.hpp"
 
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <string>
 
 namespace poolhall {
@@ -92,23 +92,16 @@ BENCHMARK(tick_of_two_balls);
 BENCHMARK(whole_shot)->ArgName("sample_hz")->Arg(0)->Arg(30)->Unit(benchmark::kMicrosecond);
 BENCHMARK(impact)->ArgName("full0_miss1_graze2")->DenseRange(0, 2);
 
-std::string processor() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-    }
-    return "unknown";
-}
-
 }  // namespace
 }  // namespace poolhall
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    benchmark::AddCustomContext("compiler", POOLHALL_COMPILER);
-    benchmark::AddCustomContext("flags", POOLHALL_FLAGS);
-    benchmark::AddCustomContext("processor", poolhall::processor());
+    const poolhall::bench::BuildInfo info = poolhall::bench::build_info();
+    benchmark::AddCustomContext("compiler", info.compiler);
+    benchmark::AddCustomContext("flags", info.flags);
+    benchmark::AddCustomContext("processor", info.processor);
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

@@ -1,3 +1,4 @@
+#include "tests/bench/build_info.hpp"
 #include "tests/e2e/server_process.hpp"
 #include "tests/load/player.hpp"
 #include "tests/load/process_cost.hpp"
@@ -31,6 +32,13 @@ struct LoadSpec {
 void print(const std::string& figure, double value, const char* unit) {
     std::printf("%s,%.6g,%s\n", figure.c_str(), value, unit);
     std::fflush(stdout);
+}
+
+/// The lines above the table; the server is built by the same compiler with the same flags.
+void print_build() {
+    const bench::BuildInfo info = bench::build_info();
+    std::printf("# compiler: %s\n# flags: %s\n# processor: %s\n", info.compiler.c_str(),
+                info.flags.c_str(), info.processor.c_str());
 }
 
 /// A server of its own, and the clients.
@@ -209,6 +217,7 @@ LoadSpec parse(int argc, char** argv) {
 }
 
 int measure(const LoadSpec& spec) {
+    print_build();
     std::puts("figure,value,unit");
     measure_rest(spec);
     measure_play(spec);
