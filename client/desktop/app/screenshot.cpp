@@ -2,6 +2,7 @@
 
 #include <SDL2/SDL_image.h>
 
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -19,10 +20,11 @@ using Surface = std::unique_ptr<SDL_Surface, FreeSurface>;
 
 std::optional<std::filesystem::path> free_name(const std::filesystem::path& folder) {
     for (int number = 1; number <= kMaxScreenshots; ++number) {
-        char name[32];
-        std::snprintf(name, sizeof name, "poolhall-%03d.png", number);
+        std::array<char, 32> name{};
+        std::snprintf(name.data(), name.size(), "poolhall-%03d.png", number);
+        std::filesystem::path path = folder / name.data();
         std::error_code unreadable;  // saving will say what is wrong with it
-        if (!std::filesystem::exists(folder / name, unreadable)) return folder / name;
+        if (!std::filesystem::exists(path, unreadable)) return path;
     }
     return std::nullopt;
 }

@@ -41,7 +41,7 @@ std::string open_device() {
     // Neither rate, format nor channels may change: the clips are made for them.
     if (Mix_OpenAudioDevice(kSampleRate, AUDIO_S16SYS, 2, kBufferFrames, nullptr, 0) == 0)
         return {};
-    const std::string reason = Mix_GetError();
+    std::string reason = Mix_GetError();
     SDL_QuitSubSystem(SDL_INIT_AUDIO);
     return reason;
 }

@@ -1,6 +1,7 @@
 #include "client/desktop/audio/synth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -11,7 +12,8 @@ namespace {
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 
 std::vector<float> silence(float seconds) {
-    return std::vector<float>(static_cast<std::size_t>(seconds * kSampleRate), 0.0F);
+    std::vector<float> samples(static_cast<std::size_t>(seconds * kSampleRate));
+    return samples;
 }
 
 // A struck body's mode: a sine that dies away.
@@ -87,7 +89,7 @@ std::vector<float> pocket() {
     auto samples = silence(0.75F);
     add_burst(samples, {1.1F, 0.040F, 0.93F});
     add_mode(samples, {118, 0.65F, 0.070F});
-    constexpr float kKnocks[] = {0.11F, 0.21F, 0.285F, 0.34F};
+    constexpr std::array kKnocks{0.11F, 0.21F, 0.285F, 0.34F};
     float level = 0.42F;
     for (const float at : kKnocks) {
         add_mode(samples, {410, level, 0.018F, at});
