@@ -58,9 +58,9 @@ int run_program(int argc, char** argv) {
     show->add_flag("--json", options.json, "The records, one JSON object a line");
     CLI::App* verify = add_command(app, "verify", "Simulate every shot again and compare");
     add_choice(verify, options)->add_flag("--all", options.all, "Every replay of the store");
-    CLI::App* export_ = add_command(app, "export", "Write a replay as JSON Lines");
-    export_->add_option("ID", options.choice.id, "A match of the replay store")->required();
-    export_->add_option("FILE", options.export_file, "- for standard output")->required();
+    CLI::App* exporting = add_command(app, "export", "Write a replay as JSON Lines");
+    exporting->add_option("ID", options.choice.id, "A match of the replay store")->required();
+    exporting->add_option("FILE", options.export_file, "- for standard output")->required();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -28,7 +28,7 @@ struct Count {
     }
 
     template <std::integral T>
-    Json write(T value, Encoding /*encoding*/) const {
+    [[nodiscard]] Json write(T value, Encoding /*encoding*/) const {
         return value;
     }
 };
@@ -36,7 +36,9 @@ struct Count {
 struct MatchId {
     bool read(const Cursor& cursor, std::string& value) const;
 
-    Json write(const std::string& value, Encoding /*encoding*/) const { return value; }
+    [[nodiscard]] Json write(const std::string& value, Encoding /*encoding*/) const {
+        return value;
+    }
 };
 
 inline constexpr Text kShortText{1, 64};

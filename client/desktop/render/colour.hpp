@@ -42,8 +42,10 @@ constexpr float smooth_step(float low, float high, float value) {
     return t * t * (3 - 2 * t);
 }
 
+/// Rounded: nothing here is negative, and std::lround is no constant expression.
 constexpr std::uint8_t to_byte(float value) {
-    return static_cast<std::uint8_t>(saturate(value) * 255 + 0.5F);
+    const float and_a_half = saturate(value) * 255 + 0.5F;
+    return static_cast<std::uint8_t>(and_a_half);
 }
 
 /// A pixel of SDL_PIXELFORMAT_ARGB8888, its colours not multiplied by alpha.

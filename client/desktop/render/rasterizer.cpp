@@ -116,7 +116,8 @@ struct Gradient {
 
 std::uint32_t pack(Rgba c) {
     const auto byte = [](float v) {
-        return static_cast<std::uint32_t>(std::clamp(v, 0.0F, 255.0F) + 0.5F);
+        const float and_a_half = std::clamp(v, 0.0F, 255.0F) + 0.5F;  // rounds what is not negative
+        return static_cast<std::uint32_t>(and_a_half);
     };
     return byte(c.a) << 24U | byte(c.r) << 16U | byte(c.g) << 8U | byte(c.b);
 }

@@ -3,6 +3,7 @@
 #include "client/desktop/render/utf8.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::string_view kRegular = "DejaVuSans.ttf";
 constexpr std::string_view kBold = "DejaVuSans-Bold.ttf";
-constexpr std::string_view kFolders[] = {
+constexpr std::array<std::string_view, 5> kFolders{
     "/usr/share/fonts/truetype/dejavu",  // Debian
     "/usr/share/fonts/dejavu-sans-fonts",
     "/usr/share/fonts/dejavu",

@@ -2,6 +2,7 @@
 
 #include "client/desktop/render/colour.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace poolhall::client {
@@ -56,7 +57,7 @@ Rgb numbered(Rgb body, const Vec3& n, bool digit, float pixel) {
 // its dots.
 Rgb dotted(const Vec3& n, float pixel) {
     constexpr float kDotRadius = 0.11F;
-    constexpr Vec3 kAxes[] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
+    constexpr std::array<Vec3, 3> kAxes{{{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}}};
     float nearest = 1;
     for (const Vec3& axis : kAxes) {
         const double along = n.x * axis.x + n.y * axis.y + n.z * axis.z;

@@ -24,9 +24,10 @@ Orientation turned(const Orientation& from, const Vec3& axis, double angle) {
     return unit(product({std::cos(angle / 2), s * axis.x, s * axis.y, s * axis.z}, from));
 }
 
-Vec3 to_ball(const Orientation& q, const Vec3& v) {
-    const Orientation inverse{q.w, -q.x, -q.y, -q.z};
-    const Orientation turned_back = product(product(inverse, {0, v.x, v.y, v.z}), q);
+Vec3 to_ball(const Orientation& orientation, const Vec3& world) {
+    const Orientation inverse{orientation.w, -orientation.x, -orientation.y, -orientation.z};
+    const Orientation vector{0, world.x, world.y, world.z};
+    const Orientation turned_back = product(product(inverse, vector), orientation);
     return {turned_back.x, turned_back.y, turned_back.z};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 namespace poolhall::client {
@@ -11,21 +12,21 @@ struct KeyRow {
 
 /// What the keys and the mouse do: the help screen shows it, and README's table is compared with
 /// it.
-inline constexpr KeyRow kKeyTable[] = {
-    {"Space", "Shoot; take a step in step mode; play again after a game"},
-    {"Left, Right", "Turn the aim"},
-    {"Page Up, Page Down", "Turn the aim fast"},
-    {"Up, Down", "Move the cue ball on the base line before the first shot"},
-    {"F1", "Show or hide this help"},
-    {"F2", "Show or hide the frame rate"},
-    {"F3", "Step mode: Space moves on by 1/30 s, rings show the way"},
-    {"F4", "Collision mode: yellow circles where balls hit something"},
-    {"H", "Play both seats, or give the other seat back"},
-    {"C", "Copy the join code"},
-    {"M", "Sound off or on"},
-    {"P", "Save a screenshot"},
-    {"Esc", "Exit"},
-    {"Mouse", "Move to aim, click to shoot, drag the cue ball"},
+inline constexpr std::array kKeyTable{
+    KeyRow{"Space", "Shoot; take a step in step mode; play again after a game"},
+    KeyRow{"Left, Right", "Turn the aim"},
+    KeyRow{"Page Up, Page Down", "Turn the aim fast"},
+    KeyRow{"Up, Down", "Move the cue ball on the base line before the first shot"},
+    KeyRow{"F1", "Show or hide this help"},
+    KeyRow{"F2", "Show or hide the frame rate"},
+    KeyRow{"F3", "Step mode: Space moves on by 1/30 s, rings show the way"},
+    KeyRow{"F4", "Collision mode: yellow circles where balls hit something"},
+    KeyRow{"H", "Play both seats, or give the other seat back"},
+    KeyRow{"C", "Copy the join code"},
+    KeyRow{"M", "Sound off or on"},
+    KeyRow{"P", "Save a screenshot"},
+    KeyRow{"Esc", "Exit"},
+    KeyRow{"Mouse", "Move to aim, click to shoot, drag the cue ball"},
 };
 
 }  // namespace poolhall::client

@@ -161,16 +161,16 @@ std::string spoken_code(const std::string& code) {
 std::string connection_line(const ViewState& state) {
     const MatchView& match = state.match;
     std::string line(words(match.link));
-    char number[32];
+    std::array<char, 32> number{};
     if (match.link == Link::kOnline && match.round_trip_ms) {
-        std::snprintf(number, sizeof number, ", %.0f ms", *match.round_trip_ms);
-        line += number;
+        std::snprintf(number.data(), number.size(), ", %.0f ms", *match.round_trip_ms);
+        line += number.data();
     }
     if (match.spectators > 0)
         line += std::string(kBetween) + std::to_string(match.spectators) + " watching";
     if (state.frames_per_second) {
-        std::snprintf(number, sizeof number, "%.0f fps", *state.frames_per_second);
-        line += std::string(kBetween) + number;
+        std::snprintf(number.data(), number.size(), "%.0f fps", *state.frames_per_second);
+        line += std::string(kBetween) + number.data();
     }
     return line;
 }

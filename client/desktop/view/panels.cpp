@@ -98,7 +98,7 @@ struct HelpGrid {
 HelpGrid help_grid(Text& text, const Layout& layout) {
     const auto w = static_cast<float>(layout.width);
     const auto h = static_cast<float>(layout.height);
-    constexpr float kRows = static_cast<float>(std::size(kKeyTable)) + 3.2F;  // with title, margins
+    constexpr float kRows = static_cast<float>(kKeyTable.size()) + 3.2F;  // with title, margins
     HelpGrid grid{};
     grid.row = std::min(36 * layout.ui, (h - 8) / kRows);
     grid.font = std::max(std::min(16 * layout.ui, 0.62F * grid.row), 9.0F);
