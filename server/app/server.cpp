@@ -67,7 +67,7 @@ struct Server::State {
           sweep_timer(shards.front()->loop),
           sweep_every(sweep_interval(config.idle_timeout)) {}
 
-    void reopen_matches(OpenMatches open);
+    void reopen_matches(const OpenMatches& open);
     void schedule_sweep();
     void each_session(const std::function<void(Outlet&)>& act);
     bool wait_for_sessions(std::chrono::milliseconds limit) const;
@@ -85,7 +85,7 @@ struct Server::State {
     std::chrono::milliseconds sweep_every;
 };
 
-void Server::State::reopen_matches(OpenMatches open) {
+void Server::State::reopen_matches(const OpenMatches& open) {
     for (const std::string& damage : open.damaged)
         spdlog::error("{}", damage);
     for (const StoredMatch& stored : open.matches) {
@@ -146,7 +146,7 @@ Result<std::unique_ptr<Server>, std::string> Server::start(const ServerConfig& c
 
     auto state =
         std::make_unique<State>(config, std::move(*store), std::move(shards), std::move(*listener));
-    state->reopen_matches(std::move(*open));
+    state->reopen_matches(*open);
     std::vector<Shard*> all;
     for (const auto& shard : state->shards)
         all.push_back(shard.get());

@@ -63,14 +63,12 @@ class Text {
     struct FontKey {
         bool bold = false;
         int size = 0;  ///< px
-        // NOLINTNEXTLINE(modernize-use-nullptr): the 0 that a defaulted <=> compares with
         auto operator<=>(const FontKey&) const = default;
     };
 
     struct LineKey {
         FontKey font;
         std::string text;
-        // NOLINTNEXTLINE(modernize-use-nullptr): as above
         auto operator<=>(const LineKey&) const = default;
     };
 
