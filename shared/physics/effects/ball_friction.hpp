@@ -1,0 +1,69 @@
+#pragma once
+
+#include "shared/math/vec3.hpp"
+#include "shared/physics/scene.hpp"
+
+#include <cstdint>
+
+namespace poolhall {
+
+/// The coefficient of friction between two balls, as a scene gives it: mu, or a + b exp(-c u) of
+/// the slip speed u (Alciatore, TP A.14); 0 where its impacts are without friction.
+class BallFriction {
+  public:
+    explicit BallFriction(const BallBallSpec& spec);
+
+    /// Of surfaces that slip on each other at `slip_speed` (m/s, not negative).
+    [[nodiscard]] double coefficient(double slip_speed) const;
+
+  private:
+    double a_ = 0;
+    double b_ = 0;
+    double c_ = 0;  ///< s/m
+};
+
+/// One ball of an impact.
+struct ImpactBall {
+    Vec3 v;             ///< m/s
+    Vec3 w;             ///< rad/s
+    double radius = 0;  ///< m
+    double mass = 0;    ///< kg
+};
+
+/// What becomes of the vertical part of a friction impulse; the spins get their full share anyhow.
+enum class Plane : std::uint8_t {
+    kKept,  ///< the slate takes it, v.z stays: balls that cannot leave the cloth (so in pooltool)
+    kLeft,  ///< the balls take it: a draw shot lifts the object ball a little
+};
+
+/// The velocity (m/s) at which the surface of a slips on that of b, at the unit normal n from a to
+/// b: tangential, and not changed by any impulse along n.
+[[nodiscard]] Vec3 slip_velocity(Vec3 n, const ImpactBall& a, const ImpactBall& b);
+
+/// The impulse (kg m/s) of friction on b; that on a is its opposite. Against the slip of a on b,
+/// mu times `normal_impulse` (kg m/s, not negative), but no more than ends the slip: for equal
+/// balls a seventh of it times the mass (Alciatore, TP A.14; unequal ones: PHYSICS.md).
+[[nodiscard]] Vec3 friction_impulse(const BallFriction& friction, double normal_impulse, Vec3 n,
+                                    const ImpactBall& a, const ImpactBall& b);
+
+/// Gives `impulse` to b and its opposite to a, where they touch.
+template <Plane plane = Plane::kKept>
+void apply_tangential(Vec3 impulse, Vec3 n, ImpactBall& a, ImpactBall& b) {
+    // Both balls are pushed opposite ways at opposite points: the torque is the same on both.
+    const Vec3 torque = 2.5 * cross(impulse, n);
+    a.w = a.w + 1 / (a.mass * a.radius) * torque;
+    b.w = b.w + 1 / (b.mass * b.radius) * torque;
+    if constexpr (plane == Plane::kKept) impulse.z = 0;
+    a.v = a.v - 1 / a.mass * impulse;
+    b.v = b.v + 1 / b.mass * impulse;
+}
+
+/// The friction of an impact of two balls: both of the above. v and w may be those before or after
+/// the normal impulse. Where an instant has several contacts, find all impulses first.
+template <Plane plane = Plane::kKept>
+void apply_friction(const BallFriction& friction, double normal_impulse, Vec3 n, ImpactBall& a,
+                    ImpactBall& b) {
+    apply_tangential<plane>(friction_impulse(friction, normal_impulse, n, a, b), n, a, b);
+}
+
+}  // namespace poolhall
