@@ -46,10 +46,6 @@ struct LoopTimer::State {
 
 LoopTimer::LoopTimer(Loop& loop) : state_(std::make_shared<State>(loop)) {}
 
-LoopTimer::~LoopTimer() {
-    cancel();
-}
-
 void LoopTimer::at(Clock::time_point when, Loop::Task task) {
     state_->timer.expires_at(when);
     state_->timer.async_wait([state = std::weak_ptr(state_), arming = ++state_->arming,

@@ -47,7 +47,7 @@ class LoopTimer {
     using Clock = std::chrono::steady_clock;
 
     explicit LoopTimer(Loop& loop);
-    ~LoopTimer();
+    ~LoopTimer() = default;
     LoopTimer(const LoopTimer&) = delete;
     LoopTimer& operator=(const LoopTimer&) = delete;
     LoopTimer(LoopTimer&&) = delete;

@@ -50,15 +50,15 @@ void FanOut::add(const Member& member, Stream stream) {
     });
 }
 
-void FanOut::remove(MemberId id) {
-    const auto found = followers_.find(id);
+void FanOut::remove(MemberId member) {
+    const auto found = followers_.find(member);
     if (found == followers_.end()) return;
     const Follower& follower = found->second;
     --counts_[index(follower.stream)][index(follower.member.encoding)];
     Branch& branch = branch_of(follower.member.loop);
-    branch.loop->post([audience = branch.audience, id] {
+    branch.loop->post([audience = branch.audience, member] {
         std::erase_if(audience->listeners,
-                      [id](const auto& listener) { return listener.id == id; });
+                      [member](const auto& listener) { return listener.id == member; });
     });
     if (--branch.followers == 0)
         std::erase_if(branches_,
