@@ -86,7 +86,7 @@ Exponential exponential(double x) {
 /// with m in [sqrt 1/2, sqrt 2], and log m = 2 artanh((m - 1) / (m + 1)).
 double logarithm(DoubleDouble a) {
     constexpr double kSqrtHalf = 0x1.6a09e667f3bcdp-1;
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(a.hi / kSqrtHalf);
+    const auto bits = std::bit_cast<std::uint64_t>(a.hi / kSqrtHalf);
     const int k = static_cast<int>(bits >> 52U) - 1023;
     const DoubleDouble m{scaled(a.hi, -k), scaled(a.lo, -k)};
     const DoubleDouble s = (m - DoubleDouble{1}) / (m + DoubleDouble{1});

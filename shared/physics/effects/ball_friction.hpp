@@ -47,23 +47,23 @@ enum class Plane : std::uint8_t {
                                     const ImpactBall& a, const ImpactBall& b);
 
 /// Gives `impulse` to b and its opposite to a, where they touch.
-template <Plane plane = Plane::kKept>
+template <Plane Rule = Plane::kKept>
 void apply_tangential(Vec3 impulse, Vec3 n, ImpactBall& a, ImpactBall& b) {
     // Both balls are pushed opposite ways at opposite points: the torque is the same on both.
     const Vec3 torque = 2.5 * cross(impulse, n);
     a.w = a.w + 1 / (a.mass * a.radius) * torque;
     b.w = b.w + 1 / (b.mass * b.radius) * torque;
-    if constexpr (plane == Plane::kKept) impulse.z = 0;
+    if constexpr (Rule == Plane::kKept) impulse.z = 0;
     a.v = a.v - 1 / a.mass * impulse;
     b.v = b.v + 1 / b.mass * impulse;
 }
 
 /// The friction of an impact of two balls: both of the above. v and w may be those before or after
 /// the normal impulse. Where an instant has several contacts, find all impulses first.
-template <Plane plane = Plane::kKept>
+template <Plane Rule = Plane::kKept>
 void apply_friction(const BallFriction& friction, double normal_impulse, Vec3 n, ImpactBall& a,
                     ImpactBall& b) {
-    apply_tangential<plane>(friction_impulse(friction, normal_impulse, n, a, b), n, a, b);
+    apply_tangential<Rule>(friction_impulse(friction, normal_impulse, n, a, b), n, a, b);
 }
 
 }  // namespace poolhall

@@ -3,6 +3,7 @@
 #include "tests/shared/random.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -54,12 +55,14 @@ double throw_angle(double speed, double cut, double follow, double side = 0) {
     return std::atan2(across, dot(object.v, n)) / kDegree;
 }
 
-/// The place of the largest of f(0), f(step), ... f(end).
+/// The place of the largest of f(0), f(step), f(2 step), ... f(steps step).
 template <class F>
-double place_of_maximum(F f, double end, double step) {
+double place_of_maximum(F f, double step, int steps) {
     double best = 0;
-    for (double x = 0; x <= end; x += step)
+    for (int i = 1; i <= steps; ++i) {
+        const double x = step * i;
         if (f(x) > f(best)) best = x;
+    }
     return best;
 }
 
@@ -104,7 +107,7 @@ TEST(Throw, IsThatOfAlciatoresClosedForm) {
 // larger than a 1/2-ball hit" (30 degrees); "about 1 inch per foot", about 5 degrees.
 TEST(Throw, OfASlowStunShotIsLargestNearAHalfBallHit) {
     const auto at_cut = [](double cut) { return throw_angle(kSlow, cut, 0); };
-    const double cut = place_of_maximum(at_cut, 85, 0.1);
+    const double cut = place_of_maximum(at_cut, 0.1, 850);
     EXPECT_NEAR(30, cut, 5);
     EXPECT_NEAR(5, at_cut(cut), 0.5);
 }
@@ -125,7 +128,7 @@ TEST(Throw, FallsWithSpeed) {
 // the most english, which is a tip offset of R/2 and so a spin of 1.25 v/R.
 TEST(Throw, BySpinAloneIsLargestAtHalfTheMostEnglish) {
     const auto at_english = [](double share) { return -throw_angle(kSlow, 0, 0, 1.25 * share); };
-    const double share = place_of_maximum(at_english, 1, 0.01);
+    const double share = place_of_maximum(at_english, 0.01, 100);
     EXPECT_NEAR(0.5, share, 0.05);
     EXPECT_NEAR(5, at_english(share), 0.5);
 }
@@ -157,7 +160,7 @@ struct PooltoolImpact {
     Vec3 object_v_after, object_w_after;
 };
 
-constexpr PooltoolImpact kPooltoolImpacts[] = {
+constexpr std::array<PooltoolImpact, 5> kPooltoolImpacts{{
     {"head-on follow",
      {50.0, 50.1928499999, 0},
      {50.0, 50.25, 0},
@@ -203,7 +206,7 @@ constexpr PooltoolImpact kPooltoolImpacts[] = {
      {-32.88526819020795, 0.23184666943511223, 0.2321667649460202},
      {-0.05181998141571849, 1.0363619446820955, 0},
      {4.410589648226203, 0.23184666943511034, 0.2321667649460202}},
-};
+}};
 
 /// pooltool gives its centres at x = 50 m to 7e-15 m, and so the normal to 1e-13.
 void expect_close(Vec3 expected, Vec3 actual, double scale) {
