@@ -8,6 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from platforms import PLATFORMS
 from sources import ROOT
 
 SCRIPT = ROOT / "poolhall"
@@ -32,8 +33,8 @@ class ScriptTest(unittest.TestCase):
 
     def test_help_lists_every_task(self):
         dispatch = SCRIPT.read_text().rsplit("case $task in", 1)[1]
-        tasks = {name for names in re.findall(r"^ +([a-z |]+)\)", dispatch, re.MULTILINE) for name in names.split(" | ")}
-        listed = set(re.findall(r"^  ([a-z]+)\b", run("help").stdout, re.MULTILINE))
+        tasks = {name for names in re.findall(r"^ +([a-z][a-z |-]*)\)", dispatch, re.MULTILINE) for name in names.split(" | ")}
+        listed = set(re.findall(r"^  ([a-z-]+)\b", run("help").stdout, re.MULTILINE))
         self.assertGreater(len(tasks), 10)
         self.assertEqual(tasks, tasks & listed)
 
@@ -47,15 +48,24 @@ class ScriptTest(unittest.TestCase):
             self.assertEqual(0, run("clean", script=link, cwd="/").returncode)
             self.assertFalse((checkout / "build").exists())
 
-    def test_without_apt_setup_lists_what_is_needed(self):
+    def setup_without_apt(self, profile):
         with tempfile.TemporaryDirectory() as folder:
             for tool in ("bash", "readlink", "dirname", "nproc", "sed", "cat", "xargs", "echo"):
                 os.symlink(shutil.which(tool), f"{folder}/{tool}")
-            result = run("setup", "play", env={"PATH": folder})
+            result = run("setup", profile, env={"PATH": folder})
         self.assertEqual(1, result.returncode)
+        return result.stderr
+
+    def test_without_apt_setup_lists_what_is_needed(self):
+        message = self.setup_without_apt("play")
         for package in ("apt", "g++", "libsdl2-dev"):
-            self.assertIn(package, result.stderr)
-        self.assertNotIn("libgtest-dev", result.stderr)
+            self.assertIn(package, message)
+        self.assertNotIn("libgtest-dev", message)
+
+    def test_setup_everywhere_has_all_that_the_platforms_need(self):
+        listed = set(self.setup_without_apt("everywhere").split())
+        needed = {package for platform in PLATFORMS for package in platform.needs.values()}
+        self.assertEqual(set(), needed - listed)
 
     @unittest.skipUnless(shutil.which("shellcheck"), "needs shellcheck")
     def test_shellcheck_finds_nothing(self):
