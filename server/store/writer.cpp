@@ -38,6 +38,7 @@ std::size_t ReplayStore::Writer::backlog() const {
 void ReplayStore::Writer::run() {
     for (auto batch = wait_for_jobs(); !batch.empty(); batch = wait_for_jobs()) {
         std::vector<const StoreJob*> jobs;
+        jobs.reserve(batch.size());
         for (const Queued& queued : batch)
             jobs.push_back(&queued.job);
         const std::vector<JobFailure> failures = database_->apply(jobs);

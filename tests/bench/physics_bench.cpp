@@ -36,7 +36,7 @@ void whole_shot(benchmark::State& state) {
     ShotTrace trace;
     simulate(scene, sample_hz, trace);
     if (!shot_is_right(state, trace)) return;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         simulate(scene, sample_hz, trace);
         benchmark::DoNotOptimize(trace.hash);
     }
@@ -59,7 +59,7 @@ void tick_of_two_balls(benchmark::State& state) {
         state.SkipWithError("the balls met something");
         return;
     }
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         simulate(scene, 0, trace);
         benchmark::DoNotOptimize(trace.hash);
     }
@@ -81,7 +81,7 @@ void impact(benchmark::State& state) {
         state.SkipWithError("wrong time of impact");
         return;
     }
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(cue);
         benchmark::DoNotOptimize(object);
         benchmark::DoNotOptimize(time_of_impact(cue, object, kDiameter));
