@@ -34,7 +34,7 @@ inline constexpr Motion kLast<Motion> = Motion::kPocketed;
 template <>
 inline constexpr SolverKind kLast<SolverKind> = SolverKind::kOverlap;
 template <>
-inline constexpr Rail kLast<Rail> = Rail::kWest;
+inline constexpr Rail kLast<Rail> = Rail::kSouthWestJawW;
 template <>
 inline constexpr Pocket kLast<Pocket> = Pocket::kSouthWest;
 template <>

@@ -198,8 +198,9 @@ Vec2 outward_normal(Rail rail) {
             return {0, -1};
         case Rail::kWest:
             return {-1, 0};
+        default:  // jaws have no one normal
+            return {};
     }
-    return {};
 }
 
 bool resolve(std::span<const Contact> contacts, double e_rail, std::vector<MovingBall>& balls) {

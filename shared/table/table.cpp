@@ -5,7 +5,9 @@
 namespace poolhall {
 
 std::string_view name(Rail rail) {
-    constexpr std::array<std::string_view, 4> kNames{"N", "E", "S", "W"};
+    constexpr std::array<std::string_view, kRailCount> kNames{
+        "N",    "E",    "S",    "W",    "NW.N", "NW.W", "N.W",  "N.E",
+        "NE.N", "NE.E", "SE.S", "SE.E", "S.W",  "S.E",  "SW.S", "SW.W"};
     return kNames[static_cast<std::size_t>(rail)];
 }
 

@@ -7,8 +7,29 @@
 
 namespace poolhall {
 
-/// North is +y, east (the foot rail) +x.
-enum class Rail : std::uint8_t { kNorth, kEast, kSouth, kWest };
+/// North is +y, east (the foot rail) +x. Then the rail ends of a pool table, by pocket and rail.
+/// Values enter records: new ones go to the end.
+enum class Rail : std::uint8_t {
+    kNorth,
+    kEast,
+    kSouth,
+    kWest,
+    kNorthWestJawN,
+    kNorthWestJawW,
+    kNorthJawW,  ///< a side pocket's, west of it
+    kNorthJawE,
+    kNorthEastJawN,
+    kNorthEastJawE,
+    kSouthEastJawS,
+    kSouthEastJawE,
+    kSouthJawW,
+    kSouthJawE,
+    kSouthWestJawS,
+    kSouthWestJawW,
+};
+
+inline constexpr Rail kFirstJaw = Rail::kNorthWestJawN;
+inline constexpr int kRailCount = 16;
 
 enum class Pocket : std::uint8_t { kNorthWest, kNorth, kNorthEast, kSouthEast, kSouth, kSouthWest };
 
@@ -29,7 +50,7 @@ struct Table {
     friend constexpr bool operator==(const Table&, const Table&) = default;
 };
 
-/// "N", "E", "S", "W".
+/// "N", "E", "S", "W"; "NW.N" is the end of the N rail at the pocket NW, "N.W" the jaw west of N.
 [[nodiscard]] std::string_view name(Rail rail);
 /// "NW", "N", "NE", "SE", "S", "SW".
 [[nodiscard]] std::string_view name(Pocket pocket);
