@@ -12,7 +12,8 @@ namespace poolhall {
 ///
 /// The inclined nose takes part of the restitution: without friction v_n becomes
 /// (sin^2 theta - e cos^2 theta) v_n, theta being the nose's angle above the centre. The cloth
-/// takes the vertical impulse and no friction; mu_table and mass do not matter.
+/// takes the vertical impulse and no friction; mu_table and mass do not matter. About 40 ns, 250
+/// instructions (tests/bench, rail_impact).
 void bounce_han2005(const RailContact& rail, Vec3& v, Vec3& w);
 
 }  // namespace poolhall

@@ -12,7 +12,8 @@ namespace {
 
 using Forces = RailFriction::Forces;
 
-constexpr int kMostSteps = 1000;  // of a phase; with mu up to 0.4 it takes 200 at most
+constexpr int kPatience = 150;    // steps of a phase; with mu up to 0.4 few take more
+constexpr int kMostSteps = 1000;  // of a phase
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// How far an impact is, in units of the speed of approach, the mass being 1. Also its derivative.
@@ -120,6 +121,7 @@ class Impact {
     /// The impulses of the whole impact, in units of the speed of approach.
     RailImpulse run(double e) {
         settle();
+        rate_ = rates(at_);
         if (run_phase(&Impact::until_compressed)) {
             work_at_end_ = (1 - e * e) * at_.work;
             run_phase(&Impact::until_restored);
@@ -130,6 +132,7 @@ class Impact {
   private:
     struct Step {
         Progress change;
+        Progress rate;  // at its end
         double error;
     };
 
@@ -179,6 +182,12 @@ class Impact {
                         cloth_.until_rest(cloth_slip(at_), cloth_slip(rate)));
     }
 
+    /// Where a slip creeps for long at all but no speed, precision gives way to a bounded cost.
+    void coarsen() {
+        precision_.tolerance = std::min(1e-3, 10 * precision_.tolerance);
+        precision_.rest_slip = std::min(1e-3, 10 * precision_.rest_slip);
+    }
+
     [[nodiscard]] bool wedged() const {
         return friction_.wedges() && nose_.at_rest() &&
                cloth_.slower_than(precision_.rest_slip, cloth_slip(at_));
@@ -189,22 +198,23 @@ class Impact {
     bool run_phase(UntilEnd until_end) {
         const double close = std::max(1e-10, precision_.rest_slip * precision_.rest_slip);
         for (int i = 0; i < kMostSteps && !wedged(); ++i) {
-            const Progress rate = rates(at_);
-            const double end = (this->*until_end)(rate);
+            const double end = (this->*until_end)(rate_);
             if (std::abs(end) <= close) {
-                advance(end * rate);
+                advance(end * rate_);
+                rate_ = rates(at_);
                 return true;
             }
-            try_step(std::min(end, until_rest(rate)), rate);
+            if (i % kPatience == kPatience - 1) coarsen();
+            try_step(std::min(end, until_rest(rate_)));
         }
         return false;
     }
 
     /// A step of at most that impulse, or nothing but a shorter step for the next time.
-    void try_step(double limit, const Progress& rate) {
+    void try_step(double limit) {
         constexpr double kShortest = 1e-12;
         const double h = std::min({limit, step_, precision_.longest_step});
-        const Step step = dormand_prince(h, rate);
+        const Step step = dormand_prince(h);
         const double size = std::abs(h);
         const double fit = std::sqrt(std::sqrt(precision_.tolerance / std::max(step.error, 1e-30)));
         const double next = size * std::clamp(0.65 * fit, 0.1, 5.0);
@@ -214,11 +224,15 @@ class Impact {
             step_ = next;
         } else {
             step_ = h < step_ ? std::max(next, step_) : next;
+            const bool slipped = slips();
             advance(step.change);
+            rate_ = slipped && slips() ? step.rate : rates(at_);
         }
     }
 
-    [[nodiscard]] Step dormand_prince(double h, const Progress& k1) const;
+    [[nodiscard]] bool slips() const { return !nose_.at_rest() && !cloth_.at_rest(); }
+
+    [[nodiscard]] Step dormand_prince(double h) const;
 
     void advance(const Progress& change) {
         at_ = at_ + change;
@@ -276,10 +290,12 @@ class Impact {
     double work_at_end_ = 0;
     double step_ = 1;
     Progress at_;
+    Progress rate_;  // of change of at_
 };
 
 /// Dormand, Prince 1980, "A family of embedded Runge-Kutta formulae", RK5(4)7M.
-Impact::Step Impact::dormand_prince(double h, const Progress& k1) const {
+Impact::Step Impact::dormand_prince(double h) const {
+    const Progress& k1 = rate_;
     const auto after = [&](const Progress& change) { return rates(at_ + h * change); };
     const Progress k2 = after((1.0 / 5) * k1);
     const Progress k3 = after((3.0 / 40) * k1 + (9.0 / 40) * k2);
@@ -293,7 +309,7 @@ Impact::Step Impact::dormand_prince(double h, const Progress& k1) const {
     const Progress k7 = after(mean);
     const Progress error = (71.0 / 57600) * k1 + (-71.0 / 16695) * k3 + (71.0 / 1920) * k4 +
                            (-17253.0 / 339200) * k5 + (22.0 / 525) * k6 + (-1.0 / 40) * k7;
-    return {h * mean, std::abs(h) * largest(error)};
+    return {h * mean, k7, std::abs(h) * largest(error)};
 }
 
 }  // namespace
