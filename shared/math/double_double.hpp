@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/math/vec2.hpp"
+#include "shared/math/vec3.hpp"
 
 #include <cmath>
 
@@ -84,6 +84,12 @@ constexpr double value(DoubleDouble a) {
 struct Vec2DoubleDouble {
     DoubleDouble x;
     DoubleDouble y;
+};
+
+struct Vec3DoubleDouble {
+    DoubleDouble x;
+    DoubleDouble y;
+    DoubleDouble z;
 };
 
 /// a - b without rounding.

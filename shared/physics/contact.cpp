@@ -1,11 +1,13 @@
 #include "shared/physics/contact.hpp"
 
-#include "shared/math/double_double.hpp"
 #include "shared/physics/effects/ball_ball.hpp"
+#include "shared/physics/effects/han_rail.hpp"
+#include "shared/physics/effects/mathavan_rail.hpp"
+#include "shared/physics/effects/rolling.hpp"
+#include "shared/physics/effects/sliding.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace poolhall {
 
@@ -13,16 +15,12 @@ namespace {
 
 /// A group settles in a few rounds; elastic ones at most in as many as there are orders of impacts.
 constexpr int kMaxRounds = 1000;
-/// Pivots smaller than this (of entries of size 2) mean that a contact is redundant; speeds within
-/// this share of the group's are rounding.
-constexpr double kSingular = 1e-12;
+/// Speeds within this share of the balls' are rounding.
+constexpr double kStill = 1e-12;
 /// Share of the group's speed that double-double arithmetic leaves of zero, generously.
 constexpr double kRounding = 0x1p-90;
-
-Vec2 normal_of(const Contact& contact, const std::vector<MovingBall>& balls) {
-    if (contact.kind == Contact::Kind::kRail) return outward_normal(contact.rail);
-    return normalized(balls[contact.b].r - balls[contact.a].r);
-}
+/// Contacts that a group can have without a larger memory: a rack of fifteen has thirty.
+constexpr std::size_t kGroupCapacity = 40;
 
 /// Whether the contact moves ball `ball` along its normal (+1), against it (-1) or not at all.
 double direction_on(const Contact& contact, std::size_t ball) {
@@ -30,111 +28,38 @@ double direction_on(const Contact& contact, std::size_t ball) {
     return contact.kind == Contact::Kind::kBalls && contact.b == ball ? 1 : 0;
 }
 
+Vec3 velocity(const MovingBall& ball) {
+    return {ball.v.x, ball.v.y, ball.climb};
+}
+
+void set_velocity(MovingBall& ball, const Vec3& v) {
+    ball.v = xy(v);
+    ball.climb = v.z;
+}
+
 /// Rate at which the gap of the contact opens, m/s.
-double opening(const Contact& contact, Vec2 n, const std::vector<MovingBall>& balls) {
-    const double a = dot(balls[contact.a].v, n);
-    return contact.kind == Contact::Kind::kRail ? -a : dot(balls[contact.b].v, n) - a;
+double opening(const Contact& contact, const Vec3& n, std::span<const MovingBall> balls) {
+    const double a = dot(velocity(balls[contact.a]), n);
+    return contact.kind == Contact::Kind::kRail ? -a : dot(velocity(balls[contact.b]), n) - a;
 }
 
-void reflect(const Contact& contact, double e, MovingBall& ball) {
-    double& v = contact.rail == Rail::kEast || contact.rail == Rail::kWest ? ball.v.x : ball.v.y;
-    v = -e * v;
+bool share_a_ball(const Contact& c, const Contact& d) {
+    return direction_on(d, c.a) != 0 ||
+           (c.kind == Contact::Kind::kBalls && direction_on(d, c.b) != 0);
 }
 
-using Row = std::vector<DoubleDouble>;
-
-/// The linear complementarity problem of a group: 0 <= x, 0 <= G x + q, and at each contact one of
-/// the two is 0.
-struct GroupProblem {
-    std::vector<Vec2> normals;
-    std::vector<Row> g;
-    Row q;
-    double largest_q = 0;
-};
-
-GroupProblem problem_of(std::span<const Contact> contacts, const std::vector<MovingBall>& balls) {
-    const std::size_t n = contacts.size();
-    GroupProblem problem;
-    for (const Contact& contact : contacts) {
-        const Vec2 normal = normal_of(contact, balls);
-        const double q = opening(contact, normal, balls);
-        problem.normals.push_back(normal);
-        problem.q.push_back({q});
-        problem.largest_q = std::max(problem.largest_q, std::abs(q));
-    }
-    problem.g.assign(n, Row(n));
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            double shared = -direction_on(contacts[j], contacts[i].a);
-            if (contacts[i].kind == Contact::Kind::kBalls)
-                shared += direction_on(contacts[j], contacts[i].b);
-            problem.g[i][j] = {shared * dot(problem.normals[i], problem.normals[j])};
-        }
-    }
-    return problem;
+/// Whether the contact shares no ball with a ball-ball contact (of which it may be one itself).
+bool stands_alone(const Contact& c, std::span<const Contact> contacts) {
+    return std::none_of(contacts.begin(), contacts.end(), [&](const Contact& d) {
+        const bool between_balls =
+            c.kind == Contact::Kind::kBalls || d.kind == Contact::Kind::kBalls;
+        return &c != &d && between_balls && share_a_ball(c, d);
+    });
 }
 
-/// Solves the principal system G x = -q of the chosen contacts by elimination; redundant rows get
-/// 0. G is positive semidefinite: its diagonal serves as pivots.
-Row solve_chosen(const GroupProblem& problem, const std::vector<std::size_t>& chosen) {
-    const std::size_t n = chosen.size();
-    std::vector<Row> rows(n, Row(n + 1));
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j)
-            rows[i][j] = problem.g[chosen[i]][chosen[j]];
-        rows[i][n] = -problem.q[chosen[i]];
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        if (rows[i][i].hi < kSingular) continue;
-        for (std::size_t k = 0; k < n; ++k) {
-            if (k == i) continue;
-            const DoubleDouble factor = rows[k][i] / rows[i][i];
-            for (std::size_t j = i; j <= n; ++j)
-                rows[k][j] = rows[k][j] - factor * rows[i][j];
-        }
-    }
-    Row x(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        if (rows[i][i].hi >= kSingular) x[i] = rows[i][n] / rows[i][i];
-    }
-    return x;
-}
-
-/// Whether contact i breaks its condition: an impulse that pulls, or a gap that still closes.
-bool violates(const GroupProblem& problem, const Row& x, std::size_t i, bool in_basis) {
-    if (in_basis) return x[i].hi < 0;
-    DoubleDouble rate = problem.q[i];
-    for (std::size_t j = 0; j < x.size(); ++j)
-        rate = rate + problem.g[i][j] * x[j];
-    return rate.hi < -kSingular * problem.largest_q;
-}
-
-/// The impulses, by Murty's least-index pivoting.
-Row solve(const GroupProblem& problem) {
-    const std::size_t n = problem.q.size();
-    std::vector<bool> in_basis(n, true);
-    Row x(n);
-    for (int round = 0; round < kMaxRounds; ++round) {
-        std::vector<std::size_t> chosen;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (in_basis[i]) chosen.push_back(i);
-        }
-        const Row part = solve_chosen(problem, chosen);
-        std::fill(x.begin(), x.end(), DoubleDouble{});
-        for (std::size_t i = 0; i < chosen.size(); ++i)
-            x[chosen[i]] = part[i];
-        std::size_t wrong = 0;
-        while (wrong < n && !violates(problem, x, wrong, in_basis[wrong]))
-            ++wrong;
-        if (wrong == n) break;
-        in_basis[wrong] = !in_basis[wrong];
-    }
-    return x;
-}
-
-void add(Vec2DoubleDouble& sum, DoubleDouble factor, Vec2 v) {
-    sum.x = sum.x + factor * DoubleDouble{v.x};
-    sum.y = sum.y + factor * DoubleDouble{v.y};
+/// Cloth friction alone can press two balls together.
+bool presses(const Scene& scene) {
+    return Sliding::called_for(scene) || Rolling::called_for(scene);
 }
 
 /// The double nearest to v + change; nothing where all but rounding of the double-doubles cancels.
@@ -143,50 +68,21 @@ double changed(double v, DoubleDouble change, double rounding) {
     return std::abs(sum) <= rounding ? 0 : sum;
 }
 
-/// One round of generalized reflections over the given contacts, all of which approach. Impulses
-/// and their sums are taken in double-double and rounded once, so that the order of the contacts
-/// leaves no trace in the velocities.
-void reflect_together(std::span<const Contact> contacts, double e_rail,
-                      std::vector<MovingBall>& balls) {
-    const GroupProblem problem = problem_of(contacts, balls);
-    const double rounding = kRounding * problem.largest_q;
-    const Row impulse = solve(problem);
-    std::vector<Vec2DoubleDouble> change(balls.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const bool rail = contacts[i].kind == Contact::Kind::kRail;
-        const DoubleDouble size = DoubleDouble{1 + (rail ? e_rail : 1)} * impulse[i];
-        add(change[contacts[i].a], -size, problem.normals[i]);
-        if (!rail) add(change[contacts[i].b], size, problem.normals[i]);
-    }
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        balls[i].v.x = changed(balls[i].v.x, change[i].x, rounding);
-        balls[i].v.y = changed(balls[i].v.y, change[i].y, rounding);
-    }
-}
-
-bool still_closes(const Contact& contact, const std::vector<MovingBall>& balls) {
-    double speed = norm(balls[contact.a].v);
-    if (contact.kind == Contact::Kind::kBalls) speed += norm(balls[contact.b].v);
-    return opening(contact, normal_of(contact, balls), balls) < -kSingular * speed;
-}
-
-bool share_a_ball(const Contact& c, const Contact& d) {
-    return direction_on(d, c.a) != 0 ||
-           (c.kind == Contact::Kind::kBalls && direction_on(d, c.b) != 0);
-}
-
-/// Contacts that share no ball with a ball-ball contact can go one by one, exactly.
-bool independent(std::span<const Contact> contacts) {
-    for (const Contact& c : contacts) {
-        if (c.kind != Contact::Kind::kBalls) continue;
-        for (const Contact& d : contacts) {
-            if (&c != &d && share_a_ball(c, d)) return false;
-        }
-    }
-    return true;
+void add(Vec3DoubleDouble& sum, DoubleDouble factor, const Vec3& v) {
+    sum.x = sum.x + factor * DoubleDouble{v.x};
+    sum.y = sum.y + factor * DoubleDouble{v.y};
+    sum.z = sum.z + factor * DoubleDouble{v.z};
 }
 
 }  // namespace
+
+Contact rail_contact(std::size_t ball, Rail rail) {
+    return {Contact::Kind::kRail, ball, ball, rail, outward_normal(rail)};
+}
+
+Contact ball_contact(std::size_t a, std::size_t b) {
+    return {Contact::Kind::kBalls, a, b, Rail::kNorth, {}};
+}
 
 Vec2 outward_normal(Rail rail) {
     switch (rail) {
@@ -203,27 +99,225 @@ Vec2 outward_normal(Rail rail) {
     }
 }
 
-bool resolve(std::span<const Contact> contacts, double e_rail, std::vector<MovingBall>& balls) {
-    if (independent(contacts)) {
-        for (const Contact& contact : contacts) {
-            if (contact.kind == Contact::Kind::kRail) {
-                reflect(contact, e_rail, balls[contact.a]);
-            } else {
-                exchange_normal_velocity(balls[contact.a].v, balls[contact.b].v,
-                                         normal_of(contact, balls));
-            }
-        }
-        return true;
+ContactSolver::ContactSolver() : problem_(kGroupCapacity) {
+    group_.reserve(kGroupCapacity);
+    approaching_.reserve(kGroupCapacity);
+    normals_.reserve(kGroupCapacity);
+}
+
+void ContactSolver::prepare(const Scene& scene) {
+    rail_ = scene.effects.rail;
+    e_ball_ = BallBall::restitution(scene);
+    e_rail_ = rail_.model == RailModel::kElastic ? 1 : rail_.e;
+    mu_table_ = Sliding::called_for(scene) ? scene.effects.sliding->mu : 0;
+    unit_mass_ = scene.ball.mass;
+    min_separation_ = presses(scene) ? scene.effects.ball_ball.min_separation : 0;
+    in_space_ = scene.effects.airborne.has_value();
+    has_friction_ = BallBall::has_friction(scene);
+    friction_ = BallFriction(scene.effects.ball_ball);
+    changes_.assign(scene.balls.size(), {});
+}
+
+Vec3 ContactSolver::normal_of(const Contact& contact, std::span<const MovingBall> balls) const {
+    if (contact.kind == Contact::Kind::kRail) return {contact.normal.x, contact.normal.y, 0};
+    const MovingBall& a = balls[contact.a];
+    const MovingBall& b = balls[contact.b];
+    const double rise = in_space_ ? (b.radius + b.height) - (a.radius + a.height) : 0;
+    const Vec2 c = b.r - a.r;
+    if (rise != 0) return normalized(Vec3{c.x, c.y, rise});
+    const Vec2 n = normalized(c);
+    return {n.x, n.y, 0};
+}
+
+bool ContactSolver::is_group_member(const Contact& contact) const {
+    return contact.kind == Contact::Kind::kBalls || rail_.model == RailModel::kElastic ||
+           rail_.model == RailModel::kRestitution;
+}
+
+double ContactSolver::restitution(const Contact& contact) const {
+    return contact.kind == Contact::Kind::kRail ? e_rail_ : e_ball_;
+}
+
+bool ContactSolver::resolve(std::span<const Contact> contacts, std::span<MovingBall> balls) {
+    for (const Contact& contact : contacts) {
+        if (!is_group_member(contact)) bounce(contact, balls[contact.a]);
     }
-    std::vector<Contact> approaching(contacts.begin(), contacts.end());
+    group_.clear();
+    for (const Contact& contact : contacts) {
+        if (!is_group_member(contact)) continue;
+        if (!stands_alone(contact, contacts)) {
+            group_.push_back(contact);
+        } else if (contact.kind == Contact::Kind::kRail) {
+            bounce(contact, balls[contact.a]);
+        } else {
+            collide(contact, balls);
+        }
+    }
+    return group_.empty() || resolve_group(balls);
+}
+
+void ContactSolver::bounce(const Contact& contact, MovingBall& ball) const {
+    if (rail_.model == RailModel::kElastic || rail_.model == RailModel::kRestitution) {
+        // Along an axis the other component must keep its bits.
+        if (contact.normal.y == 0) {
+            ball.v.x = -e_rail_ * ball.v.x;
+        } else if (contact.normal.x == 0) {
+            ball.v.y = -e_rail_ * ball.v.y;
+        } else {
+            ball.v = ball.v - ((1 + e_rail_) * dot(ball.v, contact.normal)) * contact.normal;
+        }
+        return;
+    }
+    const RailContact rail{contact.normal, ball.radius, ball.mass, rail_.nose_height,
+                           rail_.e,        rail_.mu,    mu_table_};
+    Vec3 v = velocity(ball);
+    switch (rail_.model) {
+        case RailModel::kHan2005:
+            bounce_han2005(rail, v, ball.w);
+            break;
+        case RailModel::kMathavan2010Fast:
+            bounce_mathavan2010_fast(rail, v, ball.w);
+            break;
+        default:
+            bounce_mathavan2010(rail, v, ball.w);
+            break;
+    }
+    set_velocity(ball, v);
+}
+
+void ContactSolver::collide(const Contact& contact, std::span<MovingBall> balls) const {
+    MovingBall& a = balls[contact.a];
+    MovingBall& b = balls[contact.b];
+    const Vec3 n = normal_of(contact, balls);
+    const double approach = dot(velocity(a) - velocity(b), n);
+    // A rail at the same instant, or rounding, may have turned the approach round.
+    const double change = approach + std::max(e_ball_ * approach, min_separation_);
+    if (change <= 0) return;
+    const double total = a.mass + b.mass;
+    ImpactBall after_a{velocity(a), a.w, a.radius, a.mass};
+    ImpactBall after_b{velocity(b), b.w, b.radius, b.mass};
+    if (has_friction_)
+        apply_friction(friction_, change * (a.mass * b.mass / total), n, after_a, after_b);
+    set_velocity(a, after_a.v - (change * (b.mass / total)) * n);
+    set_velocity(b, after_b.v + (change * (a.mass / total)) * n);
+    a.w = after_a.w;
+    b.w = after_b.w;
+}
+
+bool ContactSolver::resolve_group(std::span<MovingBall> balls) {
+    // Those that do not approach take part only from the round on in which others make them.
     for (int round = 0; round < kMaxRounds; ++round) {
-        if (approaching.empty()) return true;
-        reflect_together(approaching, e_rail, balls);
-        approaching.clear();
-        std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(approaching),
-                     [&](const Contact& contact) { return still_closes(contact, balls); });
+        approaching_.clear();
+        for (const Contact& contact : group_) {
+            double speed = norm(balls[contact.a].v);
+            if (contact.kind == Contact::Kind::kBalls) speed += norm(balls[contact.b].v);
+            if (round == 0 || opening(contact, normal_of(contact, balls), balls) < -kStill * speed)
+                approaching_.push_back(contact);
+        }
+        if (approaching_.empty()) {
+            if (min_separation_ > 0) part_pressed(balls);
+            return true;
+        }
+        reflect_together(balls);
     }
     return false;
+}
+
+/// How fast contact i opens for a unit of impulse at contact j, both impulses per unit mass.
+double ContactSolver::coupling(std::size_t i, std::size_t j,
+                               std::span<const MovingBall> balls) const {
+    const Contact& c = approaching_[i];
+    const Contact& d = approaching_[j];
+    double shared = -direction_on(d, c.a) * (unit_mass_ / balls[c.a].mass);
+    if (c.kind == Contact::Kind::kBalls)
+        shared += direction_on(d, c.b) * (unit_mass_ / balls[c.b].mass);
+    return shared * dot(normals_[i], normals_[j]);
+}
+
+/// The problem whose solution makes every contact open at least at that rate, m/s.
+void ContactSolver::pose(std::span<const MovingBall> balls, double least_opening) {
+    const std::size_t n = approaching_.size();
+    normals_.clear();
+    for (const Contact& contact : approaching_)
+        normals_.push_back(normal_of(contact, balls));
+    problem_.reset(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        problem_.q(i) = {opening(approaching_[i], normals_[i], balls) - least_opening};
+        for (std::size_t j = 0; j < n; ++j)
+            problem_.g(i, j) = {coupling(i, j, balls)};
+    }
+}
+
+/// One round of generalized reflections over the contacts that approach. Impulses and their sums
+/// are taken in double-double and rounded once, so that the order of the contacts leaves no trace
+/// in the velocities.
+void ContactSolver::reflect_together(std::span<MovingBall> balls) {
+    pose(balls, 0);
+    double fastest = 0;
+    for (std::size_t i = 0; i < problem_.size(); ++i)
+        fastest = std::max(fastest, std::abs(problem_.q(i).hi));
+    problem_.solve();
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+        const DoubleDouble size = DoubleDouble{1 + restitution(approaching_[i])} * problem_.x(i);
+        add_impulse(i, size, balls);
+        if (has_friction_) add_friction(i, value(size), balls);
+    }
+    apply_changes(kRounding * fastest, balls);
+}
+
+/// Cloth friction would press together again what parts too slowly.
+void ContactSolver::part_pressed(std::span<MovingBall> balls) {
+    approaching_.clear();
+    for (const Contact& contact : group_) {
+        if (contact.kind == Contact::Kind::kBalls) approaching_.push_back(contact);
+    }
+    pose(balls, min_separation_);
+    problem_.solve();
+    for (std::size_t i = 0; i < problem_.size(); ++i)
+        add_impulse(i, problem_.x(i), balls);
+    apply_changes(0, balls);
+}
+
+void ContactSolver::add_impulse(std::size_t contact, DoubleDouble size,
+                                std::span<const MovingBall> balls) {
+    const auto& [kind, a, b, rail, normal] = approaching_[contact];
+    add(changes_[a].v, DoubleDouble{-(unit_mass_ / balls[a].mass)} * size, normals_[contact]);
+    if (kind == Contact::Kind::kBalls)
+        add(changes_[b].v, DoubleDouble{unit_mass_ / balls[b].mass} * size, normals_[contact]);
+}
+
+void ContactSolver::add_friction(std::size_t contact, double impulse,
+                                 std::span<const MovingBall> balls) {
+    const Contact& c = approaching_[contact];
+    if (c.kind != Contact::Kind::kBalls || impulse <= 0) return;
+    const auto ball_of = [&](std::size_t i) {
+        return ImpactBall{velocity(balls[i]), balls[i].w, balls[i].radius, balls[i].mass};
+    };
+    ImpactBall a = ball_of(c.a);
+    ImpactBall b = ball_of(c.b);
+    apply_friction(friction_, unit_mass_ * impulse, normals_[contact], a, b);
+    const DoubleDouble once{1};
+    add(changes_[c.a].v, once, a.v - velocity(balls[c.a]));
+    add(changes_[c.b].v, once, b.v - velocity(balls[c.b]));
+    add(changes_[c.a].w, once, a.w - balls[c.a].w);
+    add(changes_[c.b].w, once, b.w - balls[c.b].w);
+}
+
+void ContactSolver::apply_changes(double rounding, std::span<MovingBall> balls) {
+    for (const Contact& contact : approaching_) {
+        for (const std::size_t i : {contact.a, contact.b}) {
+            // A ball of several contacts is changed once; the second time nothing is left.
+            Change& change = changes_[i];
+            MovingBall& ball = balls[i];
+            ball.v.x = changed(ball.v.x, change.v.x, rounding);
+            ball.v.y = changed(ball.v.y, change.v.y, rounding);
+            ball.climb = changed(ball.climb, change.v.z, rounding);
+            ball.w.x = changed(ball.w.x, change.w.x, 0);
+            ball.w.y = changed(ball.w.y, change.w.y, 0);
+            ball.w.z = changed(ball.w.z, change.w.z, 0);
+            change = {};
+        }
+    }
 }
 
 }  // namespace poolhall

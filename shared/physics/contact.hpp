@@ -1,6 +1,9 @@
 #pragma once
 
-#include "shared/physics/shot_run.hpp"
+#include "shared/math/complementarity.hpp"
+#include "shared/physics/effects/ball_friction.hpp"
+#include "shared/physics/moving_ball.hpp"
+#include "shared/physics/scene.hpp"
 
 #include <cstdint>
 #include <span>
@@ -14,20 +17,74 @@ struct Contact {
 
     Kind kind = Kind::kBalls;
     std::size_t a = 0;
-    std::size_t b = 0;         ///< kBalls
+    std::size_t b = 0;         ///< kBalls; else a again
     Rail rail = Rail::kNorth;  ///< kRail
+    Vec2 normal;               ///< kRail: unit, from the table into the rubber
 };
 
-/// Changes the velocities of the balls whose contacts fall in the same instant, as one group:
+/// A contact of ball a with one of the four straight rails.
+[[nodiscard]] Contact rail_contact(std::size_t ball, Rail rail);
+[[nodiscard]] Contact ball_contact(std::size_t a, std::size_t b);
+
+/// The unit vector from the table into one of the four straight rails.
+[[nodiscard]] Vec2 outward_normal(Rail rail);
+
+/// Changes the velocities of balls whose contacts fall in the same instant, by the models that the
+/// scene names.
+///
+/// Contacts that share no ball with a ball-ball contact go one by one. The others are one group:
 /// generalized reflections (Smith, Kaufman, Vouga, Tamstorf, Grinspun, "Reflections on Simultaneous
 /// Impact", SIGGRAPH 2012). Over the contacts that approach, the least impulses that stop them are
 /// found together (a linear complementarity problem), then applied times 1 + e; again until none
-/// approaches. Rails have restitution `e_rail` and infinite mass, balls are elastic and equal.
-/// False if it does not come to an end (never seen).
-[[nodiscard]] bool resolve(std::span<const Contact> contacts, double e_rail,
-                           std::vector<MovingBall>& balls);
+/// approaches. Rails have infinite mass; Han's and Mathavan's rails are no impulse along a normal
+/// and go first, ball by ball.
+class ContactSolver {
+  public:
+    ContactSolver();
 
-/// The unit vector from the table into the rail.
-[[nodiscard]] Vec2 outward_normal(Rail rail);
+    /// Takes the models of the scene; keeps its memory.
+    void prepare(const Scene& scene);
+
+    /// False if it does not come to an end (never seen).
+    [[nodiscard]] bool resolve(std::span<const Contact> contacts, std::span<MovingBall> balls);
+
+    /// The unit vector from ball a to ball b, or from ball a into the rail.
+    [[nodiscard]] Vec3 normal_of(const Contact& contact, std::span<const MovingBall> balls) const;
+
+  private:
+    [[nodiscard]] bool is_group_member(const Contact& contact) const;
+    [[nodiscard]] double restitution(const Contact& contact) const;
+    void bounce(const Contact& contact, MovingBall& ball) const;
+    void collide(const Contact& contact, std::span<MovingBall> balls) const;
+    [[nodiscard]] bool resolve_group(std::span<MovingBall> balls);
+    void pose(std::span<const MovingBall> balls, double least_opening);
+    [[nodiscard]] double coupling(std::size_t i, std::size_t j,
+                                  std::span<const MovingBall> balls) const;
+    void reflect_together(std::span<MovingBall> balls);
+    void part_pressed(std::span<MovingBall> balls);
+    void add_impulse(std::size_t contact, DoubleDouble size, std::span<const MovingBall> balls);
+    void add_friction(std::size_t contact, double impulse, std::span<const MovingBall> balls);
+    void apply_changes(double rounding, std::span<MovingBall> balls);
+
+    struct Change {
+        Vec3DoubleDouble v;
+        Vec3DoubleDouble w;
+    };
+
+    RailSpec rail_;
+    double e_ball_ = 1;
+    double e_rail_ = 1;
+    double mu_table_ = 0;
+    double unit_mass_ = 1;
+    double min_separation_ = 0;  ///< m/s; 0 where nothing presses balls together
+    bool in_space_ = false;      ///< balls may be at different heights
+    bool has_friction_ = false;
+    BallFriction friction_{BallBallSpec{}};
+    ComplementarityProblem problem_;
+    std::vector<Contact> group_;        ///< contacts of the group
+    std::vector<Contact> approaching_;  ///< those that approach, with normals_
+    std::vector<Vec3> normals_;
+    std::vector<Change> changes_;  ///< per ball
+};
 
 }  // namespace poolhall

@@ -11,7 +11,8 @@
 
 namespace poolhall {
 
-/// The parameters of the effects that a scene calls for; what is absent is not simulated.
+/// The parameters of the effects that a scene calls for; what is absent is not simulated, and a
+/// coefficient of 0 means the same as absent.
 struct LinearDragSpec {
     double k = 0.6;              ///< 1/s: v' = -k v
     double stop_speed = 0.0625;  ///< m/s: slower than this is at rest
@@ -19,27 +20,82 @@ struct LinearDragSpec {
     friend constexpr bool operator==(const LinearDragSpec&, const LinearDragSpec&) = default;
 };
 
-enum class BallBallModel : std::uint8_t { kElastic };
+struct SlidingSpec {
+    double mu = 0.2;  ///< friction of the cloth on a ball that slips
+
+    friend constexpr bool operator==(const SlidingSpec&, const SlidingSpec&) = default;
+};
+
+struct RollingSpec {
+    double mu = 0.01;  ///< rolling resistance: deceleration over gravity
+
+    friend constexpr bool operator==(const RollingSpec&, const RollingSpec&) = default;
+};
+
+struct SpinDecaySpec {
+    double mu = 0.0127;  ///< spin about the vertical axis falls with 5 mu g / (2 R)
+
+    friend constexpr bool operator==(const SpinDecaySpec&, const SpinDecaySpec&) = default;
+};
+
+enum class BallBallModel : std::uint8_t {
+    kElastic,      ///< e = 1, no friction
+    kRestitution,  ///< e
+    kFriction,     ///< e and friction: throw
+};
+
+/// Friction between balls that falls with the speed of their slip: mu = a + b exp(-c u).
+/// Defaults: Alciatore, TP A.14 (billiards.colostate.edu), fitted to Marlow's measurements.
+struct FrictionBySpeed {
+    double a = 9.951e-3;
+    double b = 0.108;
+    double c = 1.088;  ///< s/m
+
+    friend constexpr bool operator==(const FrictionBySpeed&, const FrictionBySpeed&) = default;
+};
 
 struct BallBallSpec {
     BallBallModel model = BallBallModel::kElastic;
+    double e = 0.95;   ///< coefficient of restitution, 0 to 1; not used by kElastic
+    double mu = 0.05;  ///< friction between balls; used by kFriction
+    std::optional<FrictionBySpeed> friction_by_speed;  ///< instead of mu
+    /// Balls that cloth friction can press together leave an impact at least this fast, m/s.
+    double min_separation = 1e-4;
 
     friend constexpr bool operator==(const BallBallSpec&, const BallBallSpec&) = default;
 };
 
-enum class RailModel : std::uint8_t { kElastic, kRestitution };
+enum class RailModel : std::uint8_t {
+    kElastic,
+    kRestitution,
+    kHan2005,
+    kMathavan2010,
+    kMathavan2010Fast,  ///< fewer steps, for many shots
+};
 
 struct RailSpec {
     RailModel model = RailModel::kElastic;
-    double e = 1;  ///< coefficient of restitution, 0 to 1; used by kRestitution
+    double e = 1;     ///< coefficient of restitution, 0 to 1; not used by kElastic
+    double mu = 0.2;  ///< friction between ball and rail; used by Han's and Mathavan's models
+    double nose_height = 0.036576;  ///< of the rail's nose above the cloth, m; for the same
 
     friend constexpr bool operator==(const RailSpec&, const RailSpec&) = default;
 };
 
+struct AirborneSpec {
+    double e_slate = 0.5;  ///< coefficient of restitution of ball and slate, 0 to 1
+
+    friend constexpr bool operator==(const AirborneSpec&, const AirborneSpec&) = default;
+};
+
 struct Effects {
     std::optional<LinearDragSpec> linear_drag;
+    std::optional<SlidingSpec> sliding;
+    std::optional<RollingSpec> rolling;
+    std::optional<SpinDecaySpec> spin_decay;
     BallBallSpec ball_ball;
     RailSpec rail;
+    std::optional<AirborneSpec> airborne;
 
     friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
@@ -48,11 +104,14 @@ enum class SolverKind : std::uint8_t {
     kEuler,    ///< explicit Euler, contacts by swept time of impact
     kOverlap,  ///< explicit Euler, contacts by the overlap found at the end of a tick; it misses
                ///< some
+    kSemiImplicit,  ///< semi-implicit Euler: velocities before places
+    kExactArc,      ///< closed-form motion inside each tick, contacts on its chord
+    kEvent,         ///< closed-form motion from event to event; no tick at all
 };
 
 struct SolverSpec {
     SolverKind kind = SolverKind::kEuler;
-    double hz = 30;  ///< ticks a second
+    double hz = 30;  ///< ticks a second; not used by kEvent
 
     friend constexpr bool operator==(const SolverSpec&, const SolverSpec&) = default;
 };
@@ -67,6 +126,8 @@ struct Limits {
 struct SceneBall {
     std::string id;
     BallState state;
+    std::optional<double> radius = {};  ///< m, where it differs from Scene::ball
+    std::optional<double> mass = {};    ///< kg, where it differs from Scene::ball
 
     friend bool operator==(const SceneBall&, const SceneBall&) = default;
 };
@@ -77,6 +138,12 @@ struct Strike {
     BallIndex ball;
     Vec2 direction{1, 0};  ///< of any length but zero
     double speed = 0;      ///< of the ball right after it, m/s
+    /// Where the tip hits, seen along the cue: [side, vertical] in radii, shorter than 1. Side > 0
+    /// is right english, vertical > 0 follow.
+    Vec2 offset = {};
+    double elevation = 0;  ///< slope of the cue: how far it falls per metre of horizontal way
+    /// Effective end mass of the cue over the ball's mass: what deflects the cue ball (squirt).
+    double end_mass_ratio = 0;
 
     friend constexpr bool operator==(const Strike&, const Strike&) = default;
 };
@@ -111,6 +178,15 @@ struct SceneError {
 
 /// The first thing that is wrong with the scene: not finite, out of range, unknown ball, overlap.
 [[nodiscard]] std::optional<SceneError> check(const Scene& scene);
+
+/// Of a ball of the scene, m and kg.
+[[nodiscard]] inline double radius_of(const Scene& scene, const SceneBall& ball) {
+    return ball.radius.value_or(scene.ball.radius);
+}
+
+[[nodiscard]] inline double mass_of(const Scene& scene, const SceneBall& ball) {
+    return ball.mass.value_or(scene.ball.mass);
+}
 
 [[nodiscard]] std::optional<BallIndex> find_ball(const Scene& scene, std::string_view id);
 

@@ -1,55 +1,65 @@
 #include "shared/physics/shot_run.hpp"
 
+#include "shared/physics/cue.hpp"
+
 #include <algorithm>
 
 namespace poolhall {
 
 namespace {
 
-bool moves(const MovingBall& ball) {
-    return ball.v.x != 0 || ball.v.y != 0;
-}
-
 BallIndex index_of(std::size_t ball) {
     return BallIndex{static_cast<std::uint16_t>(ball)};
 }
 
+Vec3 place(const MovingBall& ball) {
+    return {ball.r.x, ball.r.y, ball.height};
+}
+
 }  // namespace
 
-ShotRun::ShotRun(const Scene& scene, double sample_hz, ShotTrace& trace)
-    : scene_(scene), trace_(trace) {
+ShotRun::ShotRun(const Scene& scene, double sample_hz, Workspace& workspace, ShotTrace& trace)
+    : scene_(scene), trace_(trace), workspace_(workspace) {
     trace_.events.clear();
     trace_.samples.clear();
     trace_.balls.assign(scene.balls.size(), FinalBall{});
     trace_.sample_hz = sample_hz;
     if (sample_hz > 0) next_sample_ = 0;
-    balls_.reserve(scene.balls.size());
-    for (const SceneBall& ball : scene.balls)
-        balls_.push_back({xy(ball.state.r), xy(ball.state.v)});
+    workspace_.balls.clear();
+    for (const SceneBall& ball : scene.balls) {
+        MovingBall& moving = workspace_.balls.emplace_back();
+        moving.r = xy(ball.state.r);
+        moving.v = xy(ball.state.v);
+        moving.w = ball.state.w;
+        moving.height = ball.state.r.z;
+        moving.climb = ball.state.v.z;
+        moving.radius = radius_of(scene, ball);
+        moving.mass = mass_of(scene, ball);
+    }
+    workspace_.contact_solver.prepare(scene);
     strike();
 }
 
 void ShotRun::strike() {
     if (!scene_.strike) return;
     const std::size_t struck = scene_.strike->ball.value;
-    const MovingBall before = balls_[struck];
-    balls_[struck].v = scene_.strike->speed * normalized(scene_.strike->direction);
+    MovingBall& ball = balls()[struck];
+    const MovingBall before = ball;
+    const CueBallMotion motion = strike_motion(*scene_.strike, ball.radius);
+    ball.v = xy(motion.v);
+    ball.climb = scene_.effects.airborne ? motion.v.z : 0;
+    ball.w = motion.w;
     add_event(0, EventKind::kStrike, struck, before);
 }
 
 bool ShotRun::any_moves() const {
-    for (const MovingBall& ball : balls_) {
-        if (moves(ball)) return true;
-    }
-    return false;
+    return std::any_of(workspace_.balls.begin(), workspace_.balls.end(), [](const MovingBall& b) {
+        return in_play(b) && b.motion != Motion::kStationary;
+    });
 }
 
-BallState ShotRun::state_of(std::size_t ball, const MovingBall& moving) const {
-    BallState state = scene_.balls[ball].state;
-    set_xy(state.r, moving.r);
-    set_xy(state.v, moving.v);
-    if (!moving.in_play) state.w = {};
-    return state;
+BallState ShotRun::state_of(const MovingBall& ball) {
+    return {place(ball), {ball.v.x, ball.v.y, ball.climb}, ball.w};
 }
 
 ShotEvent& ShotRun::add_event(double t, EventKind kind, std::size_t ball,
@@ -58,59 +68,75 @@ ShotEvent& ShotRun::add_event(double t, EventKind kind, std::size_t ball,
     event.t = t;
     event.kind = kind;
     event.balls[0] = index_of(ball);
-    event.before[0] = state_of(ball, before);
-    event.after[0] = state_of(ball, balls_[ball]);
+    event.before[0] = state_of(before);
+    event.after[0] = state_of(balls()[ball]);
     return event;
+}
+
+void ShotRun::record(double t, EventKind kind, std::size_t ball, const MovingBall& before) {
+    balls()[ball].partner = MovingBall::kNobody;
+    add_event(t, kind, ball, before);
 }
 
 void ShotRun::record_pair(double t, std::size_t a, std::size_t b, const MovingBall& before_a,
                           const MovingBall& before_b) {
-    balls_[a].partner = b;
-    balls_[b].partner = a;
+    balls()[a].partner = b;
+    balls()[b].partner = a;
     ShotEvent& event = add_event(t, EventKind::kBallBall, a, before_a);
     event.ball_count = 2;
     event.balls[1] = index_of(b);
-    event.before[1] = state_of(b, before_b);
-    event.after[1] = state_of(b, balls_[b]);
+    event.before[1] = state_of(before_b);
+    event.after[1] = state_of(balls()[b]);
 }
 
 void ShotRun::record_rail(double t, std::size_t ball, Rail rail, const MovingBall& before) {
-    balls_[ball].partner = MovingBall::kNobody;
+    balls()[ball].partner = MovingBall::kNobody;
     add_event(t, EventKind::kBallRail, ball, before).rail = rail;
 }
 
 void ShotRun::capture(double t, std::size_t ball, Pocket pocket) {
-    const MovingBall before = balls_[ball];
-    balls_[ball].in_play = false;
-    balls_[ball].v = {};
-    trace_.balls[ball].motion = Motion::kPocketed;
+    MovingBall& moving = balls()[ball];
+    const MovingBall before = moving;
+    moving.motion = Motion::kPocketed;
+    moving.v = {};
+    moving.w = {};
+    moving.climb = 0;
     trace_.balls[ball].pocket = pocket;
     add_event(t, EventKind::kBallPocket, ball, before).pocket = pocket;
 }
 
-void ShotRun::record_rest(double t, std::size_t ball, const MovingBall& before) {
-    balls_[ball].partner = MovingBall::kNobody;
-    add_event(t, EventKind::kRollToRest, ball, before);
+void ShotRun::lose(double t, std::size_t ball) {
+    MovingBall& moving = balls()[ball];
+    const MovingBall before = moving;
+    moving.motion = Motion::kOffTable;
+    moving.v = {};
+    moving.w = {};
+    moving.climb = 0;
+    add_event(t, EventKind::kOffTable, ball, before);
 }
 
 void ShotRun::sort_events_from(std::size_t first) {
-    std::stable_sort(trace_.events.begin() + static_cast<std::ptrdiff_t>(first),
-                     trace_.events.end(),
-                     [](const ShotEvent& a, const ShotEvent& b) { return a.t < b.t; });
+    // By insertion: they are few, and std::stable_sort would use the heap.
+    const auto begin = trace_.events.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto earlier = [](const ShotEvent& a, const ShotEvent& b) { return a.t < b.t; };
+    for (auto event = begin; event != trace_.events.end(); ++event)
+        std::rotate(std::upper_bound(begin, event, *event, earlier), event, event + 1);
 }
 
 void ShotRun::sample_between(double from, double to) {
-    for (; next_sample_ < to; set_next_sample()) {
-        for (const MovingBall& ball : balls_)
-            trace_.samples.push_back(ball.r + (next_sample_ - from) * ball.v);
+    while (next_sample_ < to) {
+        const double passed = next_sample_ - from;
+        sample([&](std::size_t i) {
+            const MovingBall& ball = balls()[i];
+            const Vec2 r = ball.r + passed * ball.v;
+            return Vec3{r.x, r.y, ball.height};
+        });
     }
 }
 
 void ShotRun::sample_at(double t) {
-    for (; next_sample_ <= t; set_next_sample()) {
-        for (const MovingBall& ball : balls_)
-            trace_.samples.push_back(ball.r);
-    }
+    while (next_sample_ <= t)
+        sample([&](std::size_t i) { return place(balls()[i]); });
 }
 
 void ShotRun::finish(Outcome outcome, double t, std::uint64_t ticks) {
@@ -119,10 +145,9 @@ void ShotRun::finish(Outcome outcome, double t, std::uint64_t ticks) {
     trace_.duration = t;
     if (outcome == Outcome::kRest)
         trace_.duration = trace_.events.empty() ? 0 : trace_.events.back().t;
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
-        FinalBall& final = trace_.balls[i];
-        final.state = state_of(i, balls_[i]);
-        if (final.motion != Motion::kPocketed && moves(balls_[i])) final.motion = Motion::kRolling;
+    for (std::size_t i = 0; i < balls().size(); ++i) {
+        trace_.balls[i].motion = balls()[i].motion;
+        trace_.balls[i].state = state_of(balls()[i]);
     }
     // The last sample shows the end: the first that is due at or after it.
     if (trace_.sample_hz > 0 &&

@@ -1,33 +1,55 @@
 #pragma once
 
+#include "shared/physics/arc.hpp"
+#include "shared/physics/box.hpp"
+#include "shared/physics/contact.hpp"
+#include "shared/physics/moving_ball.hpp"
+#include "shared/physics/own_event.hpp"
+#include "shared/physics/pair_times.hpp"
 #include "shared/physics/scene.hpp"
+#include "shared/physics/swept_boxes.hpp"
 #include "shared/physics/trace.hpp"
 
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace poolhall {
 
-/// A ball while it is simulated. The effects that there are leave height and spin alone, so only
-/// the plane is here.
-struct MovingBall {
-    static constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+/// The memory that a shot needs besides its trace; used again, so that a second shot with no more
+/// balls and events than the first allocates nothing.
+struct Workspace {
+    struct FoundCapture {
+        std::size_t ball;
+        Pocket pocket;
+    };
 
-    Vec2 r;  ///< m
-    Vec2 v;  ///< m/s
-    bool in_play = true;
-    /// The ball met last, until anything else happens to either. Two bodies that move uniformly
-    /// after their impact do not meet again, but rounding could say so near grazing.
-    std::size_t partner = kNobody;
+    std::vector<MovingBall> balls;
+    ContactSolver contact_solver;
+    // What happens in one instant.
+    std::vector<Contact> contacts;
+    std::vector<MovingBall> before;  ///< two a contact: the balls before it was resolved
+    std::vector<FoundCapture> captures;
+    std::vector<std::size_t> transitions;  ///< balls
+    // Of each ball.
+    SweptBoxes boxes;
+    std::vector<Arc> arcs;
+    std::vector<MovingBall> launched;  ///< as it was at its arc's beginning
+    std::vector<Vec3> drift;           ///< along the arc's chord, m/s
+    std::vector<OwnEvent> own;
+    std::vector<Box> reach;  ///< of the arc up to its own event
+    PairTimes pairs;
 };
 
 /// A shot in progress: its balls, and the trace that is written of it. The solvers drive it.
 class ShotRun {
   public:
     /// Puts the balls on the table and delivers the strike.
-    ShotRun(const Scene& scene, double sample_hz, ShotTrace& trace);
+    ShotRun(const Scene& scene, double sample_hz, Workspace& workspace, ShotTrace& trace);
 
-    [[nodiscard]] std::vector<MovingBall>& balls() { return balls_; }
+    [[nodiscard]] std::vector<MovingBall>& balls() { return workspace_.balls; }
+
+    [[nodiscard]] Workspace& workspace() { return workspace_; }
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
 
@@ -37,19 +59,32 @@ class ShotRun {
         return trace_.events.size() >= scene_.limits.events;
     }
 
+    [[nodiscard]] std::size_t event_count() const { return trace_.events.size(); }
+
+    /// What happened to one ball: any kind but strike, ball_ball, ball_rail and ball_pocket.
+    void record(double t, EventKind kind, std::size_t ball, const MovingBall& before);
     void record_pair(double t, std::size_t a, std::size_t b, const MovingBall& before_a,
                      const MovingBall& before_b);
     void record_rail(double t, std::size_t ball, Rail rail, const MovingBall& before);
-    /// Takes the ball off the table.
+    /// Takes the ball off the table, into a pocket.
     void capture(double t, std::size_t ball, Pocket pocket);
-    /// The ball has stopped.
-    void record_rest(double t, std::size_t ball, const MovingBall& before);
-
-    [[nodiscard]] std::size_t event_count() const { return trace_.events.size(); }
+    /// The ball leaves the table over a rail.
+    void lose(double t, std::size_t ball);
 
     /// Puts the events from the given one on in order of time; those at the same instant stay as
     /// they came.
     void sort_events_from(std::size_t first);
+
+    /// When the next sample is due, s; infinity where none is asked for.
+    [[nodiscard]] double next_sample() const { return next_sample_; }
+
+    /// Writes one sample: place(i) is where ball i is then.
+    template <class Place>
+    void sample(Place place) {
+        for (std::size_t i = 0; i < workspace_.balls.size(); ++i)
+            trace_.samples.push_back(place(i));
+        next_sample_ = static_cast<double>(++samples_) / trace_.sample_hz;
+    }
 
     /// Writes the samples due in [from, to) while the balls move uniformly, their places being
     /// those at `from`.
@@ -62,15 +97,12 @@ class ShotRun {
 
   private:
     void strike();
-    [[nodiscard]] BallState state_of(std::size_t ball, const MovingBall& moving) const;
+    [[nodiscard]] static BallState state_of(const MovingBall& ball);
     ShotEvent& add_event(double t, EventKind kind, std::size_t ball, const MovingBall& before);
-
-    /// After a sample was written. Times are k / hz, not a sum.
-    void set_next_sample() { next_sample_ = static_cast<double>(++samples_) / trace_.sample_hz; }
 
     const Scene& scene_;
     ShotTrace& trace_;
-    std::vector<MovingBall> balls_;
+    Workspace& workspace_;
     std::uint64_t samples_ = 0;
     double next_sample_ = std::numeric_limits<double>::infinity();  ///< s; when it is due
 };

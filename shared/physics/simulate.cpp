@@ -1,9 +1,7 @@
 #include "shared/physics/simulate.hpp"
 
-#include "shared/physics/effects/effect_set.hpp"
-#include "shared/physics/shot_run.hpp"
-#include "shared/physics/solvers/euler.hpp"
-#include "shared/physics/solvers/overlap.hpp"
+#include "shared/physics/effects/kernels.hpp"
+#include "shared/physics/solvers/solvers.hpp"
 
 #include <array>
 #include <cassert>
@@ -14,29 +12,10 @@ namespace poolhall {
 
 namespace {
 
-template <class Kernel>
-void run_kernel(const Scene& scene, double sample_hz, ShotTrace& trace) {
-    trace.kernel = Kernel::kName;
-    trace.solver = scene.solver.kind;
-    const Kernel kernel(scene);
-    ShotRun run(scene, sample_hz, trace);
-    switch (scene.solver.kind) {
-        case SolverKind::kEuler:
-            EulerSolver<Kernel>(kernel, run).solve();
-            break;
-        case SolverKind::kOverlap:
-            OverlapSolver<Kernel>(kernel, run).solve();
-            break;
-    }
-}
-
-/// Runs the first kernel of the list that covers the scene and that `wanted` accepts by name.
-template <class Wanted, class... Kernel>
-bool run_first(const Scene& scene, double sample_hz, ShotTrace& trace, Wanted wanted,
-               std::type_identity<std::tuple<Kernel...>>) {
-    return ((Kernel::covers(scene) && wanted(Kernel::kName) &&
-             (run_kernel<Kernel>(scene, sample_hz, trace), true)) ||
-            ...);
+/// Which of the kernels cover the scene, in their order.
+template <class... Kernel>
+constexpr auto coverage_of(const Scene& scene, std::type_identity<std::tuple<Kernel...>>) {
+    return std::array<bool, sizeof...(Kernel)>{Kernel::template covers<AllEffects>(scene)...};
 }
 
 template <class... Kernel>
@@ -45,13 +24,60 @@ constexpr std::array<std::string_view, sizeof...(Kernel)> names_of(
     return {Kernel::kName...};
 }
 
+constexpr auto kNames = names_of(std::type_identity<KernelList>{});
+
+/// The first kernel that covers the scene and that `wanted` accepts by name; kNames.size() if there
+/// is none.
+template <class Wanted>
+std::size_t first_kernel(const Scene& scene, Wanted wanted) {
+    const auto covers = coverage_of(scene, std::type_identity<KernelList>{});
+    std::size_t kernel = 0;
+    while (kernel < kNames.size() && !(covers[kernel] && wanted(kNames[kernel])))
+        ++kernel;
+    return kernel;
+}
+
+void run_solver(SolverKind solver, std::size_t kernel, ShotRun& run) {
+    switch (solver) {
+        case SolverKind::kEuler:
+            return run_euler(kernel, run);
+        case SolverKind::kOverlap:
+            return run_overlap(kernel, run);
+        case SolverKind::kSemiImplicit:
+            return run_semi_implicit(kernel, run);
+        case SolverKind::kExactArc:
+            return run_exact_arc(kernel, run);
+        case SolverKind::kEvent:
+            return run_event(kernel, run);
+    }
+}
+
 }  // namespace
 
+void Simulator::run(std::size_t kernel, const Scene& scene, double sample_hz, ShotTrace& trace) {
+    trace.kernel = kNames[kernel];
+    trace.solver = scene.solver.kind;
+    ShotRun run(scene, sample_hz, workspace_, trace);
+    run_solver(scene.solver.kind, kernel, run);
+}
+
+void Simulator::simulate(const Scene& scene, double sample_hz, ShotTrace& trace) {
+    const std::size_t kernel = first_kernel(scene, [](std::string_view) { return true; });
+    assert(kernel < kNames.size());
+    run(kernel, scene, sample_hz, trace);
+}
+
+bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, double sample_hz,
+                            ShotTrace& trace) {
+    const std::size_t found =
+        first_kernel(scene, [&](std::string_view name) { return name == kernel; });
+    if (found == kNames.size()) return false;
+    run(found, scene, sample_hz, trace);
+    return true;
+}
+
 void simulate(const Scene& scene, double sample_hz, ShotTrace& trace) {
-    [[maybe_unused]] const bool covered = run_first(
-        scene, sample_hz, trace, [](std::string_view) { return true; },
-        std::type_identity<KernelList>{});
-    assert(covered);
+    Simulator().simulate(scene, sample_hz, trace);
 }
 
 ShotTrace simulate(const Scene& scene, double sample_hz) {
@@ -61,14 +87,11 @@ ShotTrace simulate(const Scene& scene, double sample_hz) {
 }
 
 std::span<const std::string_view> kernel_names() {
-    static constexpr auto kNames = names_of(std::type_identity<KernelList>{});
     return kNames;
 }
 
 bool simulate_by(std::string_view kernel, const Scene& scene, double sample_hz, ShotTrace& trace) {
-    return run_first(
-        scene, sample_hz, trace, [&](std::string_view name) { return name == kernel; },
-        std::type_identity<KernelList>{});
+    return Simulator().simulate_by(kernel, scene, sample_hz, trace);
 }
 
 }  // namespace poolhall

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shared/physics/scene.hpp"
+#include "shared/physics/shot_run.hpp"
 #include "shared/physics/trace.hpp"
 
 #include <span>
@@ -11,21 +12,35 @@ namespace poolhall {
 /// Rate at which shots are shown and broadcast, 1/s.
 inline constexpr double kPlayoutHz = 30;
 
-/// Simulates the scene from its strike (or from the balls' own velocities) until nothing moves or a
-/// limit is reached. `sample_hz` > 0 also fills trace.samples with positions at k / sample_hz, k =
-/// 0, 1, ... up to the first at or after the end. The trace is overwritten; its memory is used
-/// again. The scene must have passed check().
-void simulate(const Scene& scene, double sample_hz, ShotTrace& trace);
+/// Simulates shots one after another in the same memory: a shot that needs no more of it than an
+/// earlier one allocates nothing, given a trace that has room.
+class Simulator {
+  public:
+    /// Simulates the scene from its strike (or from the balls' own velocities) until nothing moves
+    /// or a limit is reached. `sample_hz` > 0 also fills trace.samples with positions at
+    /// k / sample_hz, k = 0, 1, ... up to the first at or after the end. The trace is overwritten;
+    /// its memory is used again. The scene must have passed check().
+    void simulate(const Scene& scene, double sample_hz, ShotTrace& trace);
 
+    /// simulate() by the kernel of that name. False, and the trace untouched, if there is none or
+    /// it does not cover the scene.
+    [[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, double sample_hz,
+                                   ShotTrace& trace);
+
+  private:
+    void run(std::size_t kernel, const Scene& scene, double sample_hz, ShotTrace& trace);
+
+    Workspace workspace_;
+};
+
+/// The same once, in memory of its own.
+void simulate(const Scene& scene, double sample_hz, ShotTrace& trace);
 [[nodiscard]] ShotTrace simulate(const Scene& scene, double sample_hz = 0);
+[[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, double sample_hz,
+                               ShotTrace& trace);
 
 /// The kernels (sets of effects compiled together), cheapest first. simulate() takes the first that
 /// covers the scene; all that do give the same trace but for its `kernel`.
 [[nodiscard]] std::span<const std::string_view> kernel_names();
-
-/// simulate() by the kernel of that name. False, and the trace untouched, if there is none or it
-/// does not cover the scene.
-[[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, double sample_hz,
-                               ShotTrace& trace);
 
 }  // namespace poolhall

@@ -25,22 +25,69 @@ void add(StateHash& hash, Enum value) {
     hash.add(static_cast<std::uint64_t>(value));
 }
 
-void add(StateHash& hash, const Effects& effects) {
-    hash.add(std::uint64_t{effects.linear_drag.has_value()});
-    if (effects.linear_drag) {
-        hash.add(effects.linear_drag->k);
-        hash.add(effects.linear_drag->stop_speed);
+void add(StateHash& hash, const BallBallSpec& spec) {
+    add(hash, spec.model);
+    hash.add(spec.e);
+    hash.add(spec.mu);
+    hash.add(std::uint64_t{spec.friction_by_speed.has_value()});
+    if (spec.friction_by_speed) {
+        hash.add(spec.friction_by_speed->a);
+        hash.add(spec.friction_by_speed->b);
+        hash.add(spec.friction_by_speed->c);
     }
-    add(hash, effects.ball_ball.model);
-    add(hash, effects.rail.model);
-    hash.add(effects.rail.e);
+    hash.add(spec.min_separation);
+}
+
+void add(StateHash& hash, const RailSpec& spec) {
+    add(hash, spec.model);
+    hash.add(spec.e);
+    hash.add(spec.mu);
+    hash.add(spec.nose_height);
+}
+
+/// An effect that may be absent, by its one coefficient.
+template <class Spec>
+void add(StateHash& hash, const std::optional<Spec>& spec, double Spec::*coefficient) {
+    hash.add(std::uint64_t{spec.has_value()});
+    if (spec) hash.add((*spec).*coefficient);
+}
+
+void add(StateHash& hash, const Effects& effects) {
+    add(hash, effects.linear_drag, &LinearDragSpec::k);
+    add(hash, effects.linear_drag, &LinearDragSpec::stop_speed);
+    add(hash, effects.sliding, &SlidingSpec::mu);
+    add(hash, effects.rolling, &RollingSpec::mu);
+    add(hash, effects.spin_decay, &SpinDecaySpec::mu);
+    add(hash, effects.airborne, &AirborneSpec::e_slate);
+    add(hash, effects.ball_ball);
+    add(hash, effects.rail);
+}
+
+void add(StateHash& hash, const Table& table) {
+    hash.add(table.length);
+    hash.add(table.width);
+    hash.add(std::uint64_t{table.rails});
+    add(hash, table.pockets);
+    for (const PocketCircle& circle : table.circles) {
+        add(hash, circle.id);
+        hash.add(Vec3{circle.centre.x, circle.centre.y, circle.radius});
+    }
+}
+
+void add(StateHash& hash, const Strike& strike) {
+    hash.add(std::uint64_t{strike.ball.value});
+    hash.add(Vec3{strike.direction.x, strike.direction.y, 0});
+    hash.add(strike.speed);
+    hash.add(Vec3{strike.offset.x, strike.offset.y, strike.elevation});
+    hash.add(strike.end_mass_ratio);
 }
 
 }  // namespace
 
 std::string_view name(EventKind kind) {
-    constexpr std::array<std::string_view, 5> kNames{"strike", "roll_to_rest", "ball_ball",
-                                                     "ball_rail", "ball_pocket"};
+    constexpr std::array<std::string_view, 9> kNames{
+        "strike",        "roll_to_rest", "ball_ball", "ball_rail", "ball_pocket",
+        "slide_to_roll", "spin_to_rest", "bounce",    "off_table"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -51,13 +98,21 @@ std::string_view name(Outcome outcome) {
 }
 
 std::string_view name(Motion motion) {
-    constexpr std::array<std::string_view, 3> kNames{"stationary", "rolling", "pocketed"};
+    constexpr std::array<std::string_view, 7> kNames{
+        "stationary", "rolling", "pocketed", "sliding", "spinning", "airborne", "off_table"};
     return kNames[static_cast<std::size_t>(motion)];
 }
 
 std::string_view name(SolverKind kind) {
-    constexpr std::array<std::string_view, 2> kNames{"euler", "overlap"};
+    constexpr std::array<std::string_view, 5> kNames{"euler", "overlap", "semi_implicit",
+                                                     "exact_arc", "event"};
     return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string_view pocket_id(const Table& table, Pocket pocket) {
+    if (table.pockets == PocketModel::kCircles)
+        return table.circles[static_cast<std::size_t>(pocket)].id;
+    return name(pocket);
 }
 
 std::uint64_t hash_of(const ShotTrace& trace) {
@@ -77,10 +132,7 @@ std::uint64_t hash_of(const ShotTrace& trace) {
 
 std::uint64_t hash_of(const Scene& scene) {
     StateHash hash;
-    hash.add(scene.table.length);
-    hash.add(scene.table.width);
-    hash.add(std::uint64_t{scene.table.rails});
-    add(hash, scene.table.pockets);
+    add(hash, scene.table);
     hash.add(scene.ball.radius);
     hash.add(scene.ball.mass);
     hash.add(scene.gravity);
@@ -90,15 +142,13 @@ std::uint64_t hash_of(const Scene& scene) {
     for (const SceneBall& ball : scene.balls) {
         add(hash, ball.id);
         add(hash, ball.state);
+        hash.add(radius_of(scene, ball));
+        hash.add(mass_of(scene, ball));
     }
     hash.add(scene.limits.time);
     hash.add(std::uint64_t{scene.limits.events});
     hash.add(std::uint64_t{scene.strike.has_value()});
-    if (scene.strike) {
-        hash.add(std::uint64_t{scene.strike->ball.value});
-        hash.add(Vec3{scene.strike->direction.x, scene.strike->direction.y, 0});
-        hash.add(scene.strike->speed);
-    }
+    if (scene.strike) add(hash, *scene.strike);
     return hash.value();
 }
 

@@ -10,7 +10,18 @@
 
 namespace poolhall {
 
-enum class EventKind : std::uint8_t { kStrike, kRollToRest, kBallBall, kBallRail, kBallPocket };
+/// Values enter the trace's hash: new ones go to the end.
+enum class EventKind : std::uint8_t {
+    kStrike,
+    kRollToRest,
+    kBallBall,
+    kBallRail,
+    kBallPocket,
+    kSlideToRoll,
+    kSpinToRest,
+    kBounce,    ///< on the slate
+    kOffTable,  ///< over a rail
+};
 
 /// Something that happened at an instant. One or two balls take part (ball_count); where it is one,
 /// the second places mean nothing. `rail` and `pocket` mean something only for their kinds.
@@ -19,7 +30,7 @@ struct ShotEvent {
     EventKind kind = EventKind::kStrike;
     std::uint8_t ball_count = 1;
     Rail rail = Rail::kNorth;
-    Pocket pocket = Pocket::kNorthWest;
+    Pocket pocket = Pocket::kNorthWest;  ///< or an index into Table::circles; see pocket_id()
     std::array<BallIndex, 2> balls;
     std::array<BallState, 2> before;
     std::array<BallState, 2> after;
@@ -53,26 +64,30 @@ struct ShotTrace {
     std::vector<ShotEvent> events;  ///< in order of time
     std::vector<FinalBall> balls;   ///< in the scene's order
     double sample_hz = 0;           ///< of `samples`; 0: none asked for
-    std::vector<Vec2> samples;      ///< sample k, ball i at [k * balls.size() + i]; m
+    std::vector<Vec3> samples;      ///< sample k, ball i at [k * balls.size() + i]; m
     std::uint64_t hash = 0;         ///< of events and final states
 
     [[nodiscard]] std::size_t sample_count() const {
         return balls.empty() ? 0 : samples.size() / balls.size();
     }
 
-    [[nodiscard]] Vec2 sample(std::size_t k, std::size_t ball) const {
+    [[nodiscard]] const Vec3& sample(std::size_t k, std::size_t ball) const {
         return samples[k * balls.size() + ball];
     }
 };
 
-/// "strike", "roll_to_rest", "ball_ball", "ball_rail", "ball_pocket".
+/// "strike", "roll_to_rest", "ball_ball", "ball_rail", "ball_pocket", "slide_to_roll",
+/// "spin_to_rest", "bounce", "off_table".
 [[nodiscard]] std::string_view name(EventKind kind);
 /// "rest", "time_limit", "event_limit", "stalled".
 [[nodiscard]] std::string_view name(Outcome outcome);
-/// "stationary", "rolling", "pocketed".
+/// "stationary", "rolling", "pocketed", "sliding", "spinning", "airborne", "off_table".
 [[nodiscard]] std::string_view name(Motion motion);
-/// "euler", "overlap".
+/// "euler", "overlap", "semi_implicit", "exact_arc", "event".
 [[nodiscard]] std::string_view name(SolverKind kind);
+
+/// The pocket's name on this table, by which files and messages call it.
+[[nodiscard]] std::string_view pocket_id(const Table& table, Pocket pocket);
 
 /// Hash of the events (kind, balls, bits of t) and the bits of the final states in the scene's
 /// order.

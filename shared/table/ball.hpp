@@ -22,7 +22,16 @@ struct BallSpec {
     friend constexpr bool operator==(const BallSpec&, const BallSpec&) = default;
 };
 
-enum class Motion : std::uint8_t { kStationary, kRolling, kPocketed };
+/// Values enter the state hash: new ones go to the end.
+enum class Motion : std::uint8_t {
+    kStationary,
+    kRolling,
+    kPocketed,
+    kSliding,
+    kSpinning,  ///< at rest but for spin about the vertical axis, which decays
+    kAirborne,
+    kOffTable,  ///< has left the table over a rail
+};
 
 /// Where a ball is and how it moves.
 struct BallState {

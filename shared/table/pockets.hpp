@@ -27,6 +27,13 @@ class EndGamePocketMap {
     /// Where the pocket is drawn and where its ball is shown: a point on the rails, m.
     [[nodiscard]] static Vec2 mouth(const Table& table, Pocket pocket);
 
+    // The lines that bound the captures, m.
+    [[nodiscard]] double corner_x() const { return corner_x_; }
+
+    [[nodiscard]] double near_rail_y() const { return near_rail_y_; }
+
+    [[nodiscard]] double centre_x() const { return centre_x_; }
+
   private:
     double corner_x_;     ///< corner capture from |x| >= this, m
     double near_rail_y_;  ///< any capture from |y| >= this, m

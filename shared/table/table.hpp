@@ -3,7 +3,9 @@
 #include "shared/math/vec2.hpp"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace poolhall {
 
@@ -33,12 +35,24 @@ inline constexpr int kRailCount = 16;
 
 enum class Pocket : std::uint8_t { kNorthWest, kNorth, kNorthEast, kSouthEast, kSouth, kSouthWest };
 
+inline constexpr std::size_t kMaxPocketCircles = 64;
 inline constexpr int kPocketCount = 6;
 
 /// How balls leave the table.
 enum class PocketModel : std::uint8_t {
     kNone,     ///< they do not
     kEndGame,  ///< the original game's: near two rails, or near a long rail's middle (pockets.hpp)
+    kPool,     ///< mouths with jaws (pool_table.hpp)
+    kCircles,  ///< Table::circles, the rails unbroken
+};
+
+/// Captures a ball whose centre comes within `radius` of `centre`.
+struct PocketCircle {
+    std::string id;
+    Vec2 centre;        ///< m
+    double radius = 0;  ///< m
+
+    friend bool operator==(const PocketCircle&, const PocketCircle&) = default;
 };
 
 struct Table {
@@ -46,8 +60,9 @@ struct Table {
     double width = 1.27;   ///< nose to nose along y, m
     bool rails = true;     ///< false: an endless cloth
     PocketModel pockets = PocketModel::kNone;
+    std::vector<PocketCircle> circles = {};  ///< with PocketModel::kCircles
 
-    friend constexpr bool operator==(const Table&, const Table&) = default;
+    friend bool operator==(const Table&, const Table&) = default;
 };
 
 /// "N", "E", "S", "W"; "NW.N" is the end of the N rail at the pocket NW, "N.W" the jaw west of N.

@@ -2,6 +2,7 @@
 
 #include "shared/physics/contact.hpp"
 #include "shared/physics/time_of_impact.hpp"
+#include "tests/shared/contacts.hpp"
 #include "tests/shared/scenes.hpp"
 #include "tests/shared/traces.hpp"
 
@@ -60,14 +61,18 @@ TEST(Regression, VelocitiesOfAGroupDoNotDependOnTheOrderOfItsContacts) {
     const double half_root_three = std::sqrt(3.0) / 2;
     for (int i = 0; i < 1000; ++i) {
         std::vector<MovingBall> balls(3);
+        for (MovingBall& ball : balls) {
+            ball.radius = BallSpec{}.radius;
+            ball.mass = BallSpec{}.mass;
+        }
         balls[0].v = {1, random.uniform(-0.2, 0.2)};
         balls[1].r = kDiameter * Vec2{half_root_three, 0.5};
         balls[2].r = kDiameter * Vec2{half_root_three, -0.5};
         std::vector<MovingBall> turned = balls;
-        const Contact north{Contact::Kind::kBalls, 0, 1, Rail::kNorth};
-        const Contact south{Contact::Kind::kBalls, 0, 2, Rail::kNorth};
-        ASSERT_TRUE(resolve(std::vector{north, south}, 1, balls));
-        ASSERT_TRUE(resolve(std::vector{south, north}, 1, turned));
+        const Contact north = ball_contact(0, 1);
+        const Contact south = ball_contact(0, 2);
+        ASSERT_TRUE(testing::resolve_contacts({north, south}, 1, balls));
+        ASSERT_TRUE(testing::resolve_contacts({south, north}, 1, turned));
         for (std::size_t ball = 0; ball < 3; ++ball)
             ASSERT_EQ(balls[ball].v, turned[ball].v) << i;
     }

@@ -1,17 +1,12 @@
 #pragma once
 
-#include "shared/physics/effects/end_game_pockets.hpp"
-#include "shared/physics/effects/linear_drag.hpp"
-#include "shared/physics/effects/rails.hpp"
+#include "shared/physics/moving_ball.hpp"
+#include "shared/physics/scene.hpp"
 
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 
 namespace poolhall {
-
-/// Every effect that there is. A new one is one file, one line here, and a kernel with it below.
-using AllEffects = std::tuple<LinearDrag, Rails, EndGamePockets>;
 
 /// A set of effects chosen at compile time. An effect is a class that is made from a Scene, says
 /// `called_for(scene)`, and has the hooks that the solvers ask for with `if constexpr
@@ -29,12 +24,24 @@ class EffectSet {
         return std::get<Wanted>(effects_);
     }
 
-    /// True if every effect that the scene calls for is in the set.
+    /// Calls use(effect) for those effects that `use` accepts, in their order.
+    template <class Use>
+    void for_each([[maybe_unused]] Use use) const {
+        (use_one<Effect>(use), ...);
+    }
+
+    /// True if every effect of `All` (a tuple) that the scene calls for is in the set.
+    template <class All>
     [[nodiscard]] static bool covers(const Scene& scene) {
-        return covers(scene, std::type_identity<AllEffects>{});
+        return covers(scene, std::type_identity<All>{});
     }
 
   private:
+    template <class One, class Use>
+    void use_one(Use& use) const {
+        if constexpr (std::is_invocable_v<Use&, const One&>) use(std::get<One>(effects_));
+    }
+
     template <class... Any>
     static bool covers(const Scene& scene, std::type_identity<std::tuple<Any...>>) {
         return ((kHas<Any> || !Any::called_for(scene)) && ...);
@@ -43,28 +50,18 @@ class EffectSet {
     std::tuple<Effect...> effects_;
 };
 
-// The closed list of kernels, cheapest first; the first that covers a scene simulates it.
-
-struct OpenCloth : EffectSet<> {
-    using EffectSet::EffectSet;
-    static constexpr std::string_view kName = "open_cloth";
+/// An effect that takes balls that come to a place: first_capture(r, v, time) and at(r).
+template <class Effect>
+concept PocketEffect = requires(const Effect& effect, Vec2 r) {
+    effect.first_capture(r, r, 0.0);
+    effect.at(r);
 };
 
-struct RailsOnly : EffectSet<Rails> {
-    using EffectSet::EffectSet;
-    static constexpr std::string_view kName = "rails";
+/// A force on a ball that moves: push(ball, dt) changes its velocity and spin for a step of dt s,
+/// after cloth and drag. It has no closed form, so only the stepping solvers take it.
+template <class Effect>
+concept ForceEffect = requires(const Effect& effect, MovingBall& ball) {
+    effect.push(ball, 0.0);
 };
-
-struct DragRails : EffectSet<LinearDrag, Rails> {
-    using EffectSet::EffectSet;
-    static constexpr std::string_view kName = "drag_rails";
-};
-
-struct DragRailsPockets : EffectSet<LinearDrag, Rails, EndGamePockets> {
-    using EffectSet::EffectSet;
-    static constexpr std::string_view kName = "drag_rails_pockets";
-};
-
-using KernelList = std::tuple<OpenCloth, RailsOnly, DragRails, DragRailsPockets>;
 
 }  // namespace poolhall

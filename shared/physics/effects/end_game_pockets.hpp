@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/physics/arc.hpp"
 #include "shared/physics/scene.hpp"
 #include "shared/table/pockets.hpp"
 
@@ -18,6 +19,11 @@ class EndGamePockets {
     [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
         return active_ ? map_.first_capture(r, v, time) : std::nullopt;
     }
+
+    /// The first capture on an arc; t in s from its beginning. Captures begin where |x| or |y|
+    /// passes one of three lines, so between two such instants nothing changes.
+    [[nodiscard]] std::optional<Capture> first_capture_on(const MovingBall& ball,
+                                                          const Arc& arc) const;
 
     [[nodiscard]] std::optional<Pocket> at(Vec2 r) const {
         return active_ ? map_.at(r) : std::nullopt;

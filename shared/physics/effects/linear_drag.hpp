@@ -1,12 +1,15 @@
 #pragma once
 
+#include "shared/math/elementary.hpp"
+#include "shared/physics/arc.hpp"
 #include "shared/physics/scene.hpp"
 
 namespace poolhall {
 
 /// The original game's friction: v' = -k v, and at rest below a stop speed. Not what cloth does
 /// (that is Coulomb friction), but what the game feels like. Source: SAGE's Pool End Game,
-/// CObject::Move, as an explicit Euler step.
+/// CObject::Move, as an explicit Euler step. In closed form a ball runs straight and, in
+/// s = (1 - exp(-k t)) / k, uniformly: r + v s. All balls share that clock.
 class LinearDrag {
   public:
     explicit LinearDrag(const Scene& scene)
@@ -14,7 +17,15 @@ class LinearDrag {
           stop_speed_(called_for(scene) ? scene.effects.linear_drag->stop_speed : 0) {}
 
     [[nodiscard]] static bool called_for(const Scene& scene) {
-        return scene.effects.linear_drag.has_value();
+        return scene.effects.linear_drag && scene.effects.linear_drag->k > 0;
+    }
+
+    [[nodiscard]] double k() const { return k_; }  ///< 1/s
+
+    /// How long a ball of that speed (m/s) moves, s: ln(speed / stop speed) / k.
+    [[nodiscard]] double time_to_rest(double speed) const {
+        if (k_ == 0 || stop_speed_ == 0) return kNever;
+        return speed > stop_speed_ ? elementary::log(speed / stop_speed_) / k_ : 0;
     }
 
     /// The velocity (m/s) after an explicit Euler step of dt (s).

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/physics/moving_ball.hpp"
 #include "shared/physics/scene.hpp"
 
 #include <cmath>
@@ -13,15 +14,16 @@ struct RailHit {
     Rail rail = Rail::kNorth;
 };
 
-/// The rails as straight lines at which the normal velocity turns round: v_n' = -e v_n, the
-/// tangential one stays. e = 1 is the original game (text, 5.2.2).
+/// Where the four straight, unbroken rails are met. What happens there is in contact.hpp.
 class Rails {
   public:
     explicit Rails(const Scene& scene)
-        : inset_(called_for(scene) ? inset(scene.table, scene.ball.radius) : Vec2{kNever, kNever}),
-          e_(scene.effects.rail.model == RailModel::kElastic ? 1 : scene.effects.rail.e) {}
+        : nose_(called_for(scene) ? Vec2{scene.table.length / 2, scene.table.width / 2}
+                                  : Vec2{kNever, kNever}) {}
 
-    [[nodiscard]] static bool called_for(const Scene& scene) { return scene.table.rails; }
+    [[nodiscard]] static bool called_for(const Scene& scene) {
+        return scene.table.rails && scene.table.pockets != PocketModel::kPool;
+    }
 
     /// When a ball at x with velocity v reaches +-edge; nothing if it does not move towards one. 0
     /// if it is there already.
@@ -33,35 +35,33 @@ class Rails {
 
     /// False where the ball is far from reaching any rail within `time` s: most of them, most of
     /// the time, so it costs no division. Wider than any rounding.
-    [[nodiscard]] bool may_reach(Vec2 r, Vec2 v, double time) const {
+    [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, double time) const {
         constexpr double kGenerous = 1 + 0x1p-30;
-        return kGenerous * (std::abs(r.x) + std::abs(v.x) * time) >= inset_.x ||
-               kGenerous * (std::abs(r.y) + std::abs(v.y) * time) >= inset_.y;
+        const Vec2 edge = this->edge(ball.radius);
+        return kGenerous * (std::abs(ball.r.x) + std::abs(v.x) * time) >= edge.x ||
+               kGenerous * (std::abs(ball.r.y) + std::abs(v.y) * time) >= edge.y;
     }
 
     /// When the ball reaches a short rail (x) or a long rail (y).
-    [[nodiscard]] std::optional<RailHit> next_short_rail(Vec2 r, Vec2 v) const {
-        const std::optional<double> t = time_to(r.x, v.x, inset_.x);
+    [[nodiscard]] std::optional<RailHit> next_short_rail(const MovingBall& ball, Vec2 v) const {
+        const std::optional<double> t = time_to(ball.r.x, v.x, edge(ball.radius).x);
         if (!t) return std::nullopt;
         return RailHit{*t, v.x > 0 ? Rail::kEast : Rail::kWest};
     }
 
-    [[nodiscard]] std::optional<RailHit> next_long_rail(Vec2 r, Vec2 v) const {
-        const std::optional<double> t = time_to(r.y, v.y, inset_.y);
+    [[nodiscard]] std::optional<RailHit> next_long_rail(const MovingBall& ball, Vec2 v) const {
+        const std::optional<double> t = time_to(ball.r.y, v.y, edge(ball.radius).y);
         if (!t) return std::nullopt;
         return RailHit{*t, v.y > 0 ? Rail::kNorth : Rail::kSouth};
     }
 
-    /// |x| and |y| of a ball that touches the rails, m.
-    [[nodiscard]] Vec2 edge() const { return inset_; }
-
-    [[nodiscard]] double restitution() const { return e_; }
+    /// |x| and |y| of a ball of that radius that touches the rails, m.
+    [[nodiscard]] Vec2 edge(double radius) const { return {nose_.x - radius, nose_.y - radius}; }
 
   private:
     static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-    Vec2 inset_;
-    double e_;
+    Vec2 nose_;  ///< |x| and |y| of the noses, m
 };
 
 }  // namespace poolhall

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "shared/physics/effects/ball_ball.hpp"
+#include "shared/physics/cloth.hpp"
 #include "shared/physics/effects/effect_set.hpp"
+#include "shared/physics/effects/pool_mouths.hpp"
+#include "shared/physics/effects/rails.hpp"
 #include "shared/physics/shot_run.hpp"
 #include "shared/physics/solvers/stepping.hpp"
 #include "shared/physics/time_of_impact.hpp"
@@ -20,9 +22,12 @@ namespace poolhall {
 template <class Set>
 class OverlapSolver {
   public:
-    OverlapSolver(const Set& set, ShotRun& run) : set_(set), run_(run) {}
+    OverlapSolver(const Set& set, ShotRun& run)
+        : set_(set), run_(run), cloth_(set, run.scene().gravity) {}
 
     void solve() {
+        for (MovingBall& ball : run_.balls())
+            cloth_.settle(ball);
         run_ticks(run_, [this](double begin, double end) { return tick(end - begin, end); });
     }
 
@@ -39,19 +44,18 @@ class OverlapSolver {
                 if (!bounce(i, dt, end)) return Outcome::kStalled;
             }
         }
-        if constexpr (Set::template kHas<EndGamePockets>) capture(end);
-        if constexpr (Set::template kHas<LinearDrag>)
-            slow_down(run_, set_.template effect<LinearDrag>(), dt, end);
+        capture(end);
+        kick_all(dt, end);
         run_.sort_events_from(first_event);
         run_.sample_at(end);
         return Outcome::kRest;
     }
 
     void separate_pairs(double dt, double end) {
-        std::vector<MovingBall>& balls = run_.balls();
+        const std::vector<MovingBall>& balls = run_.balls();
         for (std::size_t a = 0; a < balls.size(); ++a) {
             for (std::size_t b = a + 1; b < balls.size(); ++b) {
-                if (balls[a].in_play && balls[b].in_play) separate(a, b, dt, end);
+                if (in_play(balls[a]) && in_play(balls[b])) separate(a, b, dt, end);
             }
         }
     }
@@ -60,32 +64,49 @@ class OverlapSolver {
     void separate(std::size_t a, std::size_t b, double dt, double end) {
         MovingBall& first = run_.balls()[a];
         MovingBall& second = run_.balls()[b];
-        const double diameter = 2 * run_.scene().ball.radius;
+        const double distance = contact_distance(first, second);
         const Vec2 c = first.r - second.r;
         const Vec2 v = second.v - first.v;
-        if (dot(c, c) >= diameter * diameter || v == Vec2{}) return;
+        if (dot(c, c) >= distance * distance || v == Vec2{}) return;
         // Never before this tick, even where an earlier tick left an overlap behind.
         const double since =
-            std::min(time_since_impact({first.r, first.v}, {second.r, second.v}, diameter), dt);
-        const MovingBall met_first{first.r - since * first.v, first.v};
-        const MovingBall met_second{second.r - since * second.v, second.v};
+            std::min(time_since_impact({first.r, first.v}, {second.r, second.v}, distance), dt);
+        const Vec2 met_first = first.r - since * first.v;
+        const Vec2 met_second = second.r - since * second.v;
         // Separating when they touched: they have overlapped from the start, and there is no impact
         // to find.
-        if (dot(met_first.r - met_second.r, v) <= 0) return;
-        first = met_first;
-        second = met_second;
-        exchange_normal_velocity(first.v, second.v, normalized(second.r - first.r));
-        run_.record_pair(end - since, a, b, met_first, met_second);
+        if (dot(met_first - met_second, v) <= 0) return;
+        first.r = met_first;
+        second.r = met_second;
+        impact(ball_contact(a, b), end - since);
         first.r = first.r + since * first.v;
         second.r = second.r + since * second.v;
+    }
+
+    void impact(const Contact& contact, double t) {
+        MovingBall& a = run_.balls()[contact.a];
+        MovingBall& b = run_.balls()[contact.b];
+        cloth_.update_spin(a);
+        cloth_.update_spin(b);
+        const MovingBall before_a = a;
+        const MovingBall before_b = b;
+        // One contact always settles.
+        (void)run_.workspace().contact_solver.resolve({&contact, 1}, run_.balls());
+        cloth_.settle(a);
+        if (contact.kind == Contact::Kind::kRail) {
+            run_.record_rail(t, contact.a, contact.rail, before_a);
+        } else {
+            cloth_.settle(b);
+            run_.record_pair(t, contact.a, contact.b, before_a, before_b);
+        }
     }
 
     /// Text, 5.2.2, repeated until no rail is crossed: a fast ball can cross the table within a
     /// tick.
     bool bounce(std::size_t i, double dt, double end) {
-        MovingBall& ball = run_.balls()[i];
-        if (!ball.in_play) return true;
-        const Vec2 edge = set_.template effect<Rails>().edge();
+        const MovingBall& ball = run_.balls()[i];
+        if (!in_play(ball)) return true;
+        const Vec2 edge = set_.template effect<Rails>().edge(ball.radius);
         for (int round = 0; round < kMaxReflections; ++round) {
             if (std::abs(ball.r.x) > edge.x) {
                 reflect(i, ball.r.x > 0 ? Rail::kEast : Rail::kWest, dt, end);
@@ -100,41 +121,53 @@ class OverlapSolver {
 
     void reflect(std::size_t i, Rail rail, double dt, double end) {
         MovingBall& ball = run_.balls()[i];
-        const auto& rails = set_.template effect<Rails>();
         const bool short_rail = rail == Rail::kEast || rail == Rail::kWest;
+        const Vec2 edges = set_.template effect<Rails>().edge(ball.radius);
+        const double edge = short_rail ? edges.x : edges.y;
         double& r = short_rail ? ball.r.x : ball.r.y;
-        double& v = short_rail ? ball.v.x : ball.v.y;
-        const double edge = short_rail ? rails.edge().x : rails.edge().y;
+        const double& v = short_rail ? ball.v.x : ball.v.y;
         const double wall = r > 0 ? edge : -edge;
         const double beyond = r - wall;
-        const double back = wall - rails.restitution() * beyond;
         // An impact within this tick may have moved the ball beyond the rail on its way back.
         if (v * beyond <= 0) {
-            r = back;
+            r = wall - beyond;
             return;
         }
         // Never before this tick, even where an impact has left the ball beyond the rail.
         const double since = std::min(beyond / v, dt);
-        const Vec2 place{short_rail ? back : ball.r.x, short_rail ? ball.r.y : back};
+        const double arrived = v;
+        const Vec2 place = ball.r;
         ball.r = ball.r - since * ball.v;
         r = wall;
-        const MovingBall met = ball;
-        v = -rails.restitution() * v;
-        run_.record_rail(end - since, i, rail, met);
+        impact(rail_contact(i, rail), end - since);
         ball.r = place;
+        r = wall + v / arrived * beyond;
     }
 
     void capture(double end) {
+        set_.for_each([&]<PocketEffect Pockets>(const Pockets& pockets) {
+            for (std::size_t i = 0; i < run_.balls().size(); ++i) {
+                const MovingBall& ball = run_.balls()[i];
+                if (!in_play(ball) || ball.v == Vec2{}) continue;
+                if (const std::optional<Pocket> pocket = pockets.at(ball.r))
+                    run_.capture(end, i, *pocket);
+            }
+        });
+    }
+
+    void kick_all(double dt, double end) {
         for (std::size_t i = 0; i < run_.balls().size(); ++i) {
-            const MovingBall& ball = run_.balls()[i];
-            if (!ball.in_play || ball.v == Vec2{}) continue;
-            const std::optional<Pocket> pocket = set_.template effect<EndGamePockets>().at(ball.r);
-            if (pocket) run_.capture(end, i, *pocket);
+            MovingBall& ball = run_.balls()[i];
+            if (!in_play(ball) || ball.motion == Motion::kStationary) continue;
+            cloth_.kick(ball, dt, [&](EventKind kind, const MovingBall& before) {
+                run_.record(end, kind, i, before);
+            });
         }
     }
 
     const Set& set_;
     ShotRun& run_;
+    Cloth<Set> cloth_;
 };
 
 }  // namespace poolhall

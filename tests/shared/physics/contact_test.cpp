@@ -1,5 +1,6 @@
 #include "shared/physics/contact.hpp"
 
+#include "tests/shared/contacts.hpp"
 #include "tests/shared/reference.hpp"
 
 #include <algorithm>
@@ -12,16 +13,13 @@ namespace {
 constexpr double kDiameter = 2 * BallSpec{}.radius;
 const double kRootThree = std::sqrt(3.0);
 
-Contact pair(std::size_t a, std::size_t b) {
-    return {Contact::Kind::kBalls, a, b, Rail::kNorth};
-}
-
-Contact at_rail(std::size_t ball, Rail rail) {
-    return {Contact::Kind::kRail, ball, 0, rail};
-}
-
 MovingBall ball_at(Vec2 r, Vec2 v = {}) {
-    return {r, v};
+    MovingBall ball;
+    ball.r = r;
+    ball.v = v;
+    ball.radius = BallSpec{}.radius;
+    ball.mass = BallSpec{}.mass;
+    return ball;
 }
 
 TEST(Contact, ElasticPairAgreesWithTheReference) {
@@ -30,7 +28,7 @@ TEST(Contact, ElasticPairAgreesWithTheReference) {
         SCOPED_TRACE(one.id);
         const Vec2 n{one.expected("n", 0), one.expected("n", 1)};
         std::vector<MovingBall> balls{ball_at({}, {one.input("v0"), 0}), ball_at(kDiameter * n)};
-        ASSERT_TRUE(resolve(std::vector{pair(0, 1)}, 1, balls));
+        ASSERT_TRUE(testing::resolve_contacts({ball_contact(0, 1)}, 1, balls));
         EXPECT_NEAR(one.expected("v_obj", 0), balls[1].v.x, 1e-15);
         EXPECT_NEAR(one.expected("v_obj", 1), balls[1].v.y, 1e-15);
         EXPECT_NEAR(one.expected("v_cue", 0), balls[0].v.x, 1e-15);
@@ -40,7 +38,7 @@ TEST(Contact, ElasticPairAgreesWithTheReference) {
 
 TEST(Contact, HeadOnPairExchangesVelocities) {
     std::vector<MovingBall> balls{ball_at({}, {0.1, 0}), ball_at({kDiameter, 0}, {-7.3, 0})};
-    ASSERT_TRUE(resolve(std::vector{pair(0, 1)}, 1, balls));
+    ASSERT_TRUE(testing::resolve_contacts({ball_contact(0, 1)}, 1, balls));
     EXPECT_NEAR(-7.3, balls[0].v.x, 4e-15);
     EXPECT_NEAR(0.1, balls[1].v.x, 4e-15);
     EXPECT_EQ(0, balls[0].v.y);
@@ -49,19 +47,19 @@ TEST(Contact, HeadOnPairExchangesVelocities) {
 
 TEST(Contact, RailTurnsOnlyTheNormalVelocity) {
     std::vector<MovingBall> balls{ball_at({}, {1.5, 2.5})};
-    ASSERT_TRUE(resolve(std::vector{at_rail(0, Rail::kNorth)}, 0.5, balls));
+    ASSERT_TRUE(testing::resolve_contacts({rail_contact(0, Rail::kNorth)}, 0.5, balls));
     EXPECT_EQ((Vec2{1.5, -1.25}), balls[0].v);
     balls[0].v = {-1.5, 2.5};
-    ASSERT_TRUE(resolve(std::vector{at_rail(0, Rail::kWest)}, 0.5, balls));
+    ASSERT_TRUE(testing::resolve_contacts({rail_contact(0, Rail::kWest)}, 0.5, balls));
     EXPECT_EQ((Vec2{0.75, 2.5}), balls[0].v);
 }
 
 TEST(Contact, CornerTurnsBothWhicheverRailComesFirst) {
     for (const bool north_first : {true, false}) {
         std::vector<MovingBall> balls{ball_at({}, {1.3, 0.7})};
-        std::vector<Contact> contacts{at_rail(0, Rail::kNorth), at_rail(0, Rail::kEast)};
+        std::vector<Contact> contacts{rail_contact(0, Rail::kNorth), rail_contact(0, Rail::kEast)};
         if (!north_first) std::swap(contacts[0], contacts[1]);
-        ASSERT_TRUE(resolve(contacts, 1, balls));
+        ASSERT_TRUE(testing::resolve_contacts(contacts, 1, balls));
         EXPECT_EQ((Vec2{-1.3, -0.7}), balls[0].v);
     }
 }
@@ -74,7 +72,7 @@ std::vector<MovingBall> wedge() {
 
 TEST(Contact, SymmetricDoubleHitIsExactlyAMirrorImage) {
     std::vector<MovingBall> balls = wedge();
-    ASSERT_TRUE(resolve(std::vector{pair(0, 1), pair(0, 2)}, 1, balls));
+    ASSERT_TRUE(testing::resolve_contacts({ball_contact(0, 1), ball_contact(0, 2)}, 1, balls));
     EXPECT_NEAR(-0.2, balls[0].v.x, 1e-14);
     EXPECT_EQ(0, balls[0].v.y);
     EXPECT_NEAR(2 * kRootThree / 5, norm(balls[1].v), 1e-14);
@@ -86,13 +84,13 @@ TEST(Contact, OrderOfTheContactsLeavesNoTrace) {
     std::vector<MovingBall> balls = wedge();
     balls[0].v = {1, 0.1234};
     balls.push_back(ball_at({-kDiameter * 0.6, kDiameter * 0.8}, {0.3, -2}));
-    std::vector<Contact> contacts{pair(0, 1), pair(0, 2), pair(0, 3)};
+    std::vector<Contact> contacts{ball_contact(0, 1), ball_contact(0, 2), ball_contact(0, 3)};
     std::vector<MovingBall> first = balls;
-    ASSERT_TRUE(resolve(contacts, 1, first));
+    ASSERT_TRUE(testing::resolve_contacts(contacts, 1, first));
     while (std::next_permutation(contacts.begin(), contacts.end(),
                                  [](const Contact& c, const Contact& d) { return c.b < d.b; })) {
         std::vector<MovingBall> again = balls;
-        ASSERT_TRUE(resolve(contacts, 1, again));
+        ASSERT_TRUE(testing::resolve_contacts(contacts, 1, again));
         for (std::size_t i = 0; i < balls.size(); ++i)
             EXPECT_EQ(first[i].v, again[i].v);
     }
@@ -101,7 +99,7 @@ TEST(Contact, OrderOfTheContactsLeavesNoTrace) {
 TEST(Contact, BallPinchedBetweenTwoBallsKeepsMomentumAndEnergy) {
     std::vector<MovingBall> balls{ball_at({-kDiameter, 0}, {2, 0}), ball_at({}),
                                   ball_at({kDiameter, 0}, {-3, 0.5})};
-    ASSERT_TRUE(resolve(std::vector{pair(0, 1), pair(1, 2)}, 1, balls));
+    ASSERT_TRUE(testing::resolve_contacts({ball_contact(0, 1), ball_contact(1, 2)}, 1, balls));
     const Vec2 momentum = balls[0].v + balls[1].v + balls[2].v;
     EXPECT_NEAR(-1, momentum.x, 1e-15);
     EXPECT_NEAR(0.5, momentum.y, 4e-16);
@@ -114,7 +112,8 @@ TEST(Contact, BallPinchedBetweenTwoBallsKeepsMomentumAndEnergy) {
 
 TEST(Contact, BallPressedIntoARailByAnotherLeavesBothApproachingNothing) {
     std::vector<MovingBall> balls{ball_at({0, -kDiameter}, {0, 1}), ball_at({}, {0, 0.5})};
-    ASSERT_TRUE(resolve(std::vector{pair(0, 1), at_rail(1, Rail::kNorth)}, 1, balls));
+    ASSERT_TRUE(
+        testing::resolve_contacts({ball_contact(0, 1), rail_contact(1, Rail::kNorth)}, 1, balls));
     EXPECT_LE(balls[1].v.y, 1e-12) << "not into the rail";
     EXPECT_GE(balls[1].v.y - balls[0].v.y, -1e-12) << "not into each other";
     EXPECT_NEAR(1.25, dot(balls[0].v, balls[0].v) + dot(balls[1].v, balls[1].v), 1e-14);
@@ -125,7 +124,9 @@ TEST(Contact, ShrinkingSquareGrowsAgain) {
     std::vector<MovingBall> balls{ball_at({0, 0}, {1, 1}), ball_at({kDiameter, 0}, {-1, 1}),
                                   ball_at({kDiameter, kDiameter}, {-1, -1}),
                                   ball_at({0, kDiameter}, {1, -1})};
-    ASSERT_TRUE(resolve(std::vector{pair(0, 1), pair(1, 2), pair(2, 3), pair(0, 3)}, 1, balls));
+    ASSERT_TRUE(testing::resolve_contacts(
+        {ball_contact(0, 1), ball_contact(1, 2), ball_contact(2, 3), ball_contact(0, 3)}, 1,
+        balls));
     for (const MovingBall& ball : balls)
         EXPECT_NEAR(2, dot(ball.v, ball.v), 1e-14);
     EXPECT_NEAR(-1, balls[0].v.x, 1e-14);

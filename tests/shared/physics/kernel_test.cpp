@@ -62,16 +62,50 @@ TEST(Kernels, OneThatDoesNotCoverTheSceneOrDoesNotExistRefuses) {
     EXPECT_EQ(42U, trace.hash);
 }
 
-TEST(Kernels, AbsentDragIsDragWithZeroCoefficients) {
-    testing::Random random(6);
-    Scene scene = testing::random_scene(random, 8, 3);
-    scene.limits.time = 20;
-    scene.effects.linear_drag = LinearDragSpec{0, 0};
-    const ShotTrace zero = simulate(scene);
-    scene.effects.linear_drag.reset();
-    const ShotTrace absent = simulate(scene);
-    EXPECT_NE(absent.kernel, zero.kernel);
-    EXPECT_EQ(absent.hash, zero.hash);
+/// The scene without an effect, and with the same effect at a coefficient of zero.
+struct AbsentAndZero {
+    const char* name;
+    void (*zero)(Effects&);
+};
+
+TEST(Kernels, AnEffectWithAZeroCoefficientIsAbsent) {
+    const AbsentAndZero cases[] = {
+        {"linear_drag",
+         [](Effects& e) {
+             e.linear_drag = LinearDragSpec{0, 0};
+         }},
+        {"sliding", [](Effects& e) { e.sliding = SlidingSpec{0}; }},
+        {"rolling", [](Effects& e) { e.rolling = RollingSpec{0}; }},
+        {"spin_decay", [](Effects& e) { e.spin_decay = SpinDecaySpec{0}; }},
+        {"restitution",
+         [](Effects& e) {
+             e.ball_ball = {BallBallModel::kRestitution, 1};
+         }},
+        {"friction",
+         [](Effects& e) {
+             e.ball_ball = {BallBallModel::kFriction, 1, 0};
+         }},
+        {"rail",
+         [](Effects& e) {
+             e.rail = {RailModel::kRestitution, 1};
+         }},
+    };
+    for (const SolverKind solver :
+         {SolverKind::kEuler, SolverKind::kOverlap, SolverKind::kSemiImplicit,
+          SolverKind::kExactArc, SolverKind::kEvent}) {
+        for (const AbsentAndZero& one : cases) {
+            SCOPED_TRACE(std::string(one.name) + " by " + std::string(name(solver)));
+            testing::Random random(6);
+            Scene scene = testing::random_scene(random, 8, 3);
+            scene.effects.linear_drag.reset();
+            scene.limits.time = 5;
+            scene.solver.kind = solver;
+            scene.balls[0].state.w = {3, 4, 5};
+            const ShotTrace absent = simulate(scene);
+            one.zero(scene.effects);
+            EXPECT_EQ(absent.hash, simulate(scene).hash);
+        }
+    }
 }
 
 }  // namespace

@@ -1,0 +1,260 @@
+#pragma once
+
+#include "shared/physics/arc.hpp"
+#include "shared/physics/effects/airborne.hpp"
+#include "shared/physics/effects/effect_set.hpp"
+#include "shared/physics/effects/linear_drag.hpp"
+#include "shared/physics/effects/rolling.hpp"
+#include "shared/physics/effects/sliding.hpp"
+#include "shared/physics/effects/spin_decay.hpp"
+#include "shared/physics/trace.hpp"
+
+namespace poolhall {
+
+/// What the cloth does to a ball between impacts: slide, roll, spin, rest. `Set` says which effects
+/// there are (effect_set.hpp); the others leave no instruction behind. The spin about the
+/// horizontal axes of a ball that rolls follows from its velocity and is brought up to date by
+/// settle().
+template <class Set>
+class Cloth {
+  public:
+    Cloth(const Set& effects, double gravity) : effects_(effects), gravity_(gravity) {}
+
+    /// Decides how the ball moves on from its r, v and w: after a strike, an impact, a bounce.
+    void settle(MovingBall& ball) const {
+        if constexpr (Set::template kHas<Airborne>) {
+            if (effects_.template effect<Airborne>().in_air(ball)) {
+                ball.motion = Motion::kAirborne;
+                return;
+            }
+        }
+        if (slides(ball)) {
+            ball.motion = Motion::kSliding;
+        } else {
+            roll(ball);
+        }
+    }
+
+    /// An explicit Euler step of dt (s); `happened(kind, before)` hears of what ended with it.
+    template <class Happened>
+    void kick(MovingBall& ball, double dt, Happened happened) const {
+        // Rebuilt where something happens: a copy a step would cost more than the step.
+        const Vec2 v = ball.v;
+        switch (ball.motion) {
+            case Motion::kSliding:
+                if constexpr (Set::template kHas<Sliding>) {
+                    if (effects_.template effect<Sliding>().kick(ball, dt)) {
+                        const MovingBall before = with_velocity(ball, v);
+                        roll(ball, rounding_of(before));
+                        happened(EventKind::kSlideToRoll, before);
+                        if (ball.motion != Motion::kRolling)
+                            happened(EventKind::kRollToRest, before);
+                    }
+                }
+                break;
+            case Motion::kRolling:
+                if constexpr (Set::template kHas<Rolling>) {
+                    if (effects_.template effect<Rolling>().kick(ball, dt)) {
+                        const MovingBall before = with_velocity(ball, v);
+                        stop(ball);
+                        happened(EventKind::kRollToRest, before);
+                    }
+                }
+                break;
+            case Motion::kAirborne:
+                if constexpr (Set::template kHas<Airborne>) {
+                    const MovingBall before = ball;
+                    if (effects_.template effect<Airborne>().kick(ball, dt)) {
+                        settle(ball);
+                        happened(EventKind::kBounce, before);
+                    }
+                }
+                break;
+            default:
+                break;
+        }
+        if constexpr (Set::template kHas<SpinDecay>) kick_side_spin(ball, dt, happened);
+        if constexpr (Set::template kHas<LinearDrag>) kick_drag(ball, dt, happened);
+        effects_.for_each([&]<ForceEffect Force>(const Force& force) { force.push(ball, dt); });
+    }
+
+    /// The closed-form motion of a settled ball from time t on.
+    [[nodiscard]] Arc arc_of(const MovingBall& ball, double t) const {
+        Arc arc;
+        arc.since = t;
+        if constexpr (Set::template kHas<SpinDecay>) {
+            if (ball.motion != Motion::kAirborne)
+                arc.side_decay = effects_.template effect<SpinDecay>().rate(ball.radius);
+        }
+        switch (ball.motion) {
+            case Motion::kSliding:
+                if constexpr (Set::template kHas<Sliding>) slide(ball, arc);
+                break;
+            case Motion::kRolling:
+                if constexpr (Set::template kHas<Rolling>) decelerate(ball, arc);
+                if constexpr (Set::template kHas<LinearDrag>) drag(ball, arc);
+                break;
+            case Motion::kSpinning:
+                arc.until = t + std::abs(ball.w.z) / arc.side_decay;
+                break;
+            case Motion::kAirborne:
+                if constexpr (Set::template kHas<Airborne>) fly(ball, arc);
+                break;
+            default:
+                break;
+        }
+        return arc;
+    }
+
+    /// The ball at arc.until, where its motion ends by itself, settled anew.
+    template <class Happened>
+    void transition(MovingBall& ball, const Arc& arc, Happened happened) const {
+        MovingBall after = ball_on(ball, arc, arc.until);
+        const MovingBall before = after;
+        switch (ball.motion) {
+            case Motion::kSliding:
+                // Exactly, rather than what the arc makes of it.
+                after.v = Sliding::velocity_after(ball.v, Sliding::slip(ball));
+                ball = after;
+                roll(ball, rounding_of(before));
+                happened(EventKind::kSlideToRoll, before);
+                if (ball.motion != Motion::kRolling) happened(EventKind::kRollToRest, before);
+                break;
+            case Motion::kRolling:
+                // The mean velocity, rather than the arc's end, which cancels.
+                if (arc.drag == 0) after.r = ball.r + ((arc.until - arc.since) / 2) * ball.v;
+                ball = after;
+                stop(ball);
+                happened(EventKind::kRollToRest, before);
+                break;
+            case Motion::kAirborne:
+                if constexpr (Set::template kHas<Airborne>) {
+                    ball = after;
+                    ball.height = 0;
+                    effects_.template effect<Airborne>().bounce(ball);
+                    settle(ball);
+                    happened(EventKind::kBounce, before);
+                }
+                break;
+            default:
+                ball = after;
+                ball.w.z = 0;
+                ball.motion = Motion::kStationary;
+                happened(EventKind::kSpinToRest, before);
+                break;
+        }
+    }
+
+    /// Makes the spin of a ball that rolls follow its velocity.
+    void update_spin(MovingBall& ball) const {
+        if (ball.motion == Motion::kRolling && couples_spin())
+            set_xy(ball.w, Sliding::rolling_spin(ball.v, ball.radius));
+    }
+
+  private:
+    /// Slips and velocities below this share of what they were made of are rounding.
+    static constexpr double kRounding = 0x1p-50;
+
+    /// The ball as it was before its velocity, and a spin that follows from it, changed.
+    [[nodiscard]] MovingBall with_velocity(MovingBall ball, Vec2 v) const {
+        ball.v = v;
+        update_spin(ball);
+        return ball;
+    }
+
+    [[nodiscard]] bool couples_spin() const {
+        if constexpr (Set::template kHas<Sliding>)
+            return effects_.template effect<Sliding>().active();
+        return false;
+    }
+
+    /// A speed (m/s) below which nothing is left of the ball's motion but rounding.
+    [[nodiscard]] static double rounding_of(const MovingBall& ball) {
+        return kRounding * (norm(ball.v) + ball.radius * norm(xy(ball.w)));
+    }
+
+    [[nodiscard]] bool slides(const MovingBall& ball) const {
+        return couples_spin() && norm(Sliding::slip(ball)) > rounding_of(ball);
+    }
+
+    /// A full draw that stops dead leaves nothing over but `rounding`.
+    void roll(MovingBall& ball, double rounding = 0) const {
+        if (rounding > 0 && norm(ball.v) <= rounding) ball.v = {};
+        if (ball.v == Vec2{}) {
+            stop(ball);
+            return;
+        }
+        ball.motion = Motion::kRolling;
+        update_spin(ball);
+    }
+
+    void stop(MovingBall& ball) const {
+        ball.v = {};
+        if (couples_spin()) set_xy(ball.w, {});
+        ball.motion = Motion::kStationary;
+        if constexpr (Set::template kHas<SpinDecay>) {
+            if (ball.w.z != 0 && effects_.template effect<SpinDecay>().active())
+                ball.motion = Motion::kSpinning;
+        }
+    }
+
+    template <class Happened>
+    void kick_side_spin(MovingBall& ball, double dt, Happened happened) const {
+        if (ball.motion == Motion::kAirborne || ball.w.z == 0) return;
+        const double spin = ball.w.z;
+        ball.w.z = effects_.template effect<SpinDecay>().after(spin, ball.radius, dt);
+        if (ball.motion == Motion::kSpinning && ball.w.z == 0) {
+            MovingBall before = ball;
+            before.w.z = spin;
+            ball.motion = Motion::kStationary;
+            happened(EventKind::kSpinToRest, before);
+        }
+    }
+
+    template <class Happened>
+    void kick_drag(MovingBall& ball, double dt, Happened happened) const {
+        if (ball.v == Vec2{}) return;
+        const Vec2 v = ball.v;
+        ball.v = effects_.template effect<LinearDrag>().euler_step(v, dt);
+        if (ball.v != Vec2{}) return;
+        const MovingBall before = with_velocity(ball, v);
+        stop(ball);
+        happened(EventKind::kRollToRest, before);
+    }
+
+    void slide(const MovingBall& ball, Arc& arc) const {
+        const Sliding& sliding = effects_.template effect<Sliding>();
+        const Vec2 slip = Sliding::slip(ball);
+        const double speed = norm(slip);
+        const Vec2 along{slip.x / speed, slip.y / speed};
+        arc.a = -sliding.deceleration() * along;
+        arc.dw = sliding.spin_rate(along, ball.radius);
+        arc.until = arc.since + sliding.duration(speed);
+    }
+
+    void decelerate(const MovingBall& ball, Arc& arc) const {
+        const double deceleration = effects_.template effect<Rolling>().deceleration();
+        if (deceleration == 0) return;
+        const double speed = norm(ball.v);
+        arc.a = (-deceleration / speed) * ball.v;
+        if (couples_spin()) arc.dw = Sliding::rolling_spin(arc.a, ball.radius);
+        arc.until = arc.since + speed / deceleration;
+    }
+
+    void drag(const MovingBall& ball, Arc& arc) const {
+        const LinearDrag& drag = effects_.template effect<LinearDrag>();
+        if (drag.k() == 0) return;
+        arc.drag = drag.k();
+        arc.until = arc.since + drag.time_to_rest(norm(ball.v));
+    }
+
+    void fly(const MovingBall& ball, Arc& arc) const {
+        arc.gravity = gravity_;
+        arc.until = arc.since + effects_.template effect<Airborne>().time_to_slate(ball);
+    }
+
+    const Set& effects_;
+    double gravity_;
+};
+
+}  // namespace poolhall

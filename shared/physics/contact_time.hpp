@@ -1,0 +1,42 @@
+#pragma once
+
+#include "shared/math/vec3.hpp"
+#include "shared/physics/arc.hpp"
+
+namespace poolhall {
+
+/// One centre as seen from another while both move with constant acceleration: c + v t + a t^2 / 2.
+/// Vec is Vec2 on the cloth and Vec3 in the air.
+template <class Vec>
+struct RelativeArc {
+    Vec c;  ///< m
+    Vec v;  ///< m/s
+    Vec a;  ///< m/s^2
+};
+
+/// The first t in [0, horizon] (s) at which the centres come within `distance` (m) while they
+/// approach; kNever if they do not. 0 where they are that near already and approach, or are pressed
+/// together.
+///
+/// The gap |c(t)|^2 - d^2 is a quartic, whose leading terms vanish when the accelerations are
+/// equal: the ordinary case. So it is never solved by formula. Its extremes are bracketed by the
+/// roots of its derivatives, of falling degree, and the first stretch on which it falls through
+/// zero is polished by a safeguarded Newton iteration. Where rounding could decide (a graze), the
+/// gap is taken in double-double. Straight relative motion (v parallel to a) is reduced to
+/// time_of_impact().
+[[nodiscard]] double first_contact(const RelativeArc<Vec2>& arc, double distance, double horizon);
+[[nodiscard]] double first_contact(const RelativeArc<Vec3>& arc, double distance, double horizon);
+
+/// As first_contact(), for a centre that moves along v and loses `deceleration` (m/s^2) until it
+/// stops.
+[[nodiscard]] double first_contact_straight(Vec2 c, Vec2 v, double deceleration, double distance,
+                                            double horizon);
+
+/// As first_contact() without acceleration and without end, in space.
+[[nodiscard]] double straight_contact(const Vec3& c, const Vec3& v, double distance);
+
+/// The first t >= 0 (s) at which v t + a t^2 / 2 reaches `gap` (m) from below; kNever if it does
+/// not. 0 where the gap is closed and still closing.
+[[nodiscard]] double time_to_close(double gap, double v, double a);
+
+}  // namespace poolhall

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "shared/physics/effects/sliding.hpp"
+#include "shared/physics/moving_ball.hpp"
+#include "shared/physics/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace poolhall {
+
+/// Balls that leave the slate: jump shots. In the air there is only gravity; on the slate the ball
+/// bounces with restitution e_slate, and friction acts on its slip, at most mu times the impulse
+/// and never past the slip's end (2/7 of it). A bounce too low to matter ends the flight. Source:
+/// impulse of a sphere on a plane, as at the rails; Alciatore, TP B.10 (jump shots).
+class Airborne {
+  public:
+    explicit Airborne(const Scene& scene)
+        : e_(called_for(scene) ? scene.effects.airborne->e_slate : 0),
+          gravity_(scene.gravity),
+          mu_(Sliding::called_for(scene) ? scene.effects.sliding->mu : 0),
+          rail_height_(scene.effects.rail.nose_height),
+          active_(called_for(scene)) {}
+
+    [[nodiscard]] static bool called_for(const Scene& scene) {
+        return scene.effects.airborne.has_value();
+    }
+
+    [[nodiscard]] bool in_air(const MovingBall& ball) const {
+        return active_ && (ball.height > 0 || ball.climb != 0);
+    }
+
+    /// When the ball comes down on the slate, s; infinity without gravity.
+    [[nodiscard]] double time_to_slate(const MovingBall& ball) const {
+        const double height = std::max(ball.height, 0.0);
+        const double fall = std::sqrt(ball.climb * ball.climb + 2 * gravity_ * height);
+        // Of the two ways to write the root, the one that adds.
+        if (ball.climb > 0)
+            return gravity_ > 0 ? (ball.climb + fall) / gravity_
+                                : std::numeric_limits<double>::infinity();
+        if (fall - ball.climb > 0) return 2 * height / (fall - ball.climb);
+        return std::numeric_limits<double>::infinity();
+    }
+
+    /// Whether a ball that comes to a rail passes over its nose.
+    [[nodiscard]] bool clears_rail(const MovingBall& ball) const {
+        return ball.motion == Motion::kAirborne && ball.height >= rail_height_;
+    }
+
+    /// An explicit Euler step of dt (s), places done. True where the ball bounces.
+    [[nodiscard]] bool kick(MovingBall& ball, double dt) const {
+        if (ball.height <= 0 && ball.climb < 0) {
+            ball.height = 0;
+            bounce(ball);
+            return true;
+        }
+        ball.climb = ball.climb - gravity_ * dt;
+        return false;
+    }
+
+    /// The bounce of a ball that has come down with climb < 0.
+    void bounce(MovingBall& ball) const {
+        const double impact = -ball.climb;
+        const double rebound = e_ * impact;
+        ball.climb = rebound < kLeastRebound ? 0 : rebound;
+        const Vec2 slip = Sliding::slip(ball);
+        const double speed = norm(slip);
+        if (speed == 0) return;
+        const double friction = std::min(mu_ * (impact + ball.climb), 2 * speed / 7);
+        const Vec2 impulse = (friction / speed) * slip;
+        ball.v = ball.v - impulse;
+        const double turn = 5 / (2 * ball.radius);
+        ball.w.x = ball.w.x - turn * impulse.y;
+        ball.w.y = ball.w.y + turn * impulse.x;
+    }
+
+  private:
+    /// A rebound of this speed rises 0.02 mm, m/s.
+    static constexpr double kLeastRebound = 0.02;
+
+    double e_;
+    double gravity_;
+    double mu_;
+    double rail_height_;  ///< m
+    bool active_;
+};
+
+}  // namespace poolhall

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "shared/physics/moving_ball.hpp"
+#include "shared/physics/scene.hpp"
+#include "shared/physics/time_of_impact.hpp"
+#include "shared/table/pockets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace poolhall {
+
+/// Pockets as circles in a table with unbroken rails: a ball is captured as soon as its centre
+/// comes within the circle's radius of the circle's centre. The scene outlives the effect.
+class PocketCircles {
+  public:
+    explicit PocketCircles(const Scene& scene) : circles_(scene.table.circles) {
+        if (!called_for(scene)) circles_ = {};
+        for (const PocketCircle& circle : circles_)
+            free_y_ = std::min(free_y_, std::abs(circle.centre.y) - circle.radius);
+    }
+
+    [[nodiscard]] static bool called_for(const Scene& scene) {
+        return scene.table.pockets == PocketModel::kCircles && !scene.table.circles.empty();
+    }
+
+    [[nodiscard]] std::span<const PocketCircle> circles() const { return circles_; }
+
+    /// The first capture of a ball that moves from r with velocity v, within `time` s.
+    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
+        // Pockets are usually at the long rails, and most ticks pass far from them.
+        constexpr double kGenerous = 1 + 0x1p-30;
+        if (kGenerous * (std::abs(r.y) + std::abs(v.y) * time) < free_y_) return std::nullopt;
+        std::optional<Capture> first;
+        for (std::size_t i = 0; i < circles_.size(); ++i) {
+            const PocketCircle& circle = circles_[i];
+            const std::optional<double> t =
+                inside(circle, r) ? 0 : time_of_impact({r, v}, {circle.centre, {}}, circle.radius);
+            if (t && *t <= time && (!first || *t < first->t))
+                first = Capture{*t, static_cast<Pocket>(i)};
+        }
+        return first;
+    }
+
+    /// The pocket that holds a ball centred at r.
+    [[nodiscard]] std::optional<Pocket> at(Vec2 r) const {
+        for (std::size_t i = 0; i < circles_.size(); ++i) {
+            if (inside(circles_[i], r)) return static_cast<Pocket>(i);
+        }
+        return std::nullopt;
+    }
+
+  private:
+    static bool inside(const PocketCircle& circle, Vec2 r) {
+        const Vec2 c = r - circle.centre;
+        return dot(c, c) <= circle.radius * circle.radius;
+    }
+
+    std::span<const PocketCircle> circles_;
+    double free_y_ =
+        std::numeric_limits<double>::infinity();  ///< no circle nearer to y = 0 than this, m
+};
+
+}  // namespace poolhall

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "shared/physics/box.hpp"
+#include "shared/physics/moving_ball.hpp"
+#include "shared/physics/scene.hpp"
+#include "shared/physics/time_of_impact.hpp"
+#include "shared/table/pockets.hpp"
+#include "shared/table/pool_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace poolhall {
+
+struct CushionHit {
+    double t = 0;  ///< s from now
+    Rail rail = Rail::kNorth;
+    Vec2 normal;  ///< unit, into the rubber
+};
+
+/// The rails of a full pool table, with its mouths, jaws and holes (pool_table.hpp).
+class PoolMouths {
+  public:
+    explicit PoolMouths(const Scene& scene)
+        : table_(called_for(scene) ? scene.table : Table{}),
+          // The holes are at the mouths' middles, all on or beyond the long rails' noses.
+          nose_{scene.table.length / 2, scene.table.width / 2},
+          active_(called_for(scene)) {}
+
+    [[nodiscard]] static bool called_for(const Scene& scene) {
+        return scene.table.rails && scene.table.pockets == PocketModel::kPool;
+    }
+
+    [[nodiscard]] const PoolTable& table() const { return table_; }
+
+    /// False where a ball whose surface stays within the box touches nothing of rails and holes:
+    /// most, most of the time.
+    [[nodiscard]] bool may_reach(const Box& box) const {
+        // Holes come into the table less far than their mouths are wide.
+        const Vec2 free{nose_.x - kSideMouth.width, nose_.y - kSideMouth.width};
+        return active_ && (box.high_x >= free.x || box.low_x <= -free.x || box.high_y >= free.y ||
+                           box.low_y <= -free.y);
+    }
+
+    [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, double time) const {
+        Box box = Box::around(ball.r, ball.radius);
+        box.add(ball.r + time * v, ball.radius);
+        return may_reach(box);
+    }
+
+    /// The first capture of a ball that moves from r with velocity v, within `time` s.
+    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
+        std::optional<Capture> first;
+        for (const Hole& hole : table_.holes()) {
+            const Vec2 c = r - hole.centre;
+            const bool inside = dot(c, c) <= hole.radius * hole.radius;
+            const std::optional<double> t =
+                inside ? 0 : time_of_impact({r, v}, {hole.centre, {}}, hole.radius);
+            if (t && *t <= time && (!first || *t < first->t)) first = Capture{*t, hole.pocket};
+        }
+        return first;
+    }
+
+    /// The hole that holds a ball centred at r.
+    [[nodiscard]] std::optional<Pocket> at(Vec2 r) const {
+        for (const Hole& hole : table_.holes()) {
+            const Vec2 c = r - hole.centre;
+            if (active_ && dot(c, c) <= hole.radius * hole.radius) return hole.pocket;
+        }
+        return std::nullopt;
+    }
+
+    /// False for a line that a ball is behind: one in a mouth would meet noses that go on beyond
+    /// their ends, and the backs of facings. `gap` (m) is how far its surface is from the line.
+    [[nodiscard]] static bool faces(double gap) { return gap >= -kTouchTolerance; }
+
+    /// What a ball meets first if it moves on with velocity v; of a line and an arc at once the
+    /// line, at whose end they have the same normal.
+    [[nodiscard]] std::optional<CushionHit> straight_hit(const MovingBall& ball, Vec2 v) const {
+        std::optional<CushionHit> first;
+        for (const CushionLine& line : table_.lines()) {
+            const double closing = dot(v, line.normal);
+            const double gap = dot(line.from - ball.r, line.normal) - ball.radius;
+            if (closing <= 0 || !faces(gap)) continue;
+            const double t = gap <= 0 ? 0 : gap / closing;
+            if ((!first || t < first->t) && within(line, ball.r + t * v))
+                first = CushionHit{t, line.rail, line.normal};
+        }
+        for (const CushionArc& arc : table_.arcs()) {
+            const auto t = time_of_impact({ball.r, v}, {arc.centre, {}}, ball.radius + arc.radius);
+            if (!t || (first && *t >= first->t)) continue;
+            const Vec2 out = ball.r + *t * v - arc.centre;
+            if (within(arc, out)) first = CushionHit{*t, arc.rail, -normalized(out)};
+        }
+        return first;
+    }
+
+  private:
+    PoolTable table_;
+    Vec2 nose_;
+    bool active_;
+};
+
+}  // namespace poolhall

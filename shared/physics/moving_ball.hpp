@@ -1,0 +1,47 @@
+#pragma once
+
+#include "shared/math/vec3.hpp"
+#include "shared/table/ball.hpp"
+
+#include <cstddef>
+#include <limits>
+
+namespace poolhall {
+
+/// A ball while it is simulated.
+struct MovingBall {
+    static constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+
+    Vec2 r;             ///< m
+    Vec2 v;             ///< m/s
+    Vec3 w;             ///< rad/s
+    double height = 0;  ///< of the centre above its height at rest, m
+    double climb = 0;   ///< vertical velocity, m/s
+    double radius = 0;  ///< m
+    double mass = 0;    ///< kg
+    Motion motion = Motion::kStationary;
+    /// The ball met last, until anything else happens to either. Two bodies that move uniformly
+    /// after their impact do not meet again, but rounding could say so near grazing.
+    std::size_t partner = kNobody;
+};
+
+[[nodiscard]] constexpr bool in_play(const MovingBall& ball) {
+    return ball.motion != Motion::kPocketed && ball.motion != Motion::kOffTable;
+}
+
+[[nodiscard]] constexpr bool is_on_cloth(Motion motion) {
+    return motion == Motion::kSliding || motion == Motion::kRolling ||
+           motion == Motion::kSpinning || motion == Motion::kStationary;
+}
+
+[[nodiscard]] constexpr bool moves_centre(Motion motion) {
+    return motion == Motion::kSliding || motion == Motion::kRolling || motion == Motion::kAirborne;
+}
+
+/// How far apart the centres of two balls are, in the plane, when they touch on the cloth (m):
+/// 2 sqrt(R_a R_b), since centres of different radius are at different heights.
+[[nodiscard]] inline double contact_distance(const MovingBall& a, const MovingBall& b) {
+    return a.radius == b.radius ? 2 * a.radius : 2 * std::sqrt(a.radius * b.radius);
+}
+
+}  // namespace poolhall

@@ -1,0 +1,13 @@
+#include "shared/physics/solvers/solvers.hpp"
+#include "shared/physics/solvers/stepping.hpp"
+#include "shared/physics/solvers/with_kernel.hpp"
+
+namespace poolhall {
+
+void run_euler(std::size_t kernel, ShotRun& run) {
+    with_kernel(kernel, run, [&]<class Kernel>(const Kernel& effects) {
+        SteppingSolver<Kernel, Scheme::kEuler>(effects, run).solve();
+    });
+}
+
+}  // namespace poolhall

@@ -1,0 +1,151 @@
+#pragma once
+
+#include "shared/physics/box.hpp"
+#include "shared/physics/contact_time.hpp"
+#include "shared/physics/effects/effect_set.hpp"
+#include "shared/physics/effects/end_game_pockets.hpp"
+#include "shared/physics/effects/pocket_circles.hpp"
+#include "shared/physics/effects/pool_mouths.hpp"
+#include "shared/physics/effects/rails.hpp"
+#include "shared/physics/own_event.hpp"
+
+namespace poolhall {
+
+/// Finds the first rail or pocket on a ball's arc. Times inside are from the arc's beginning.
+template <class Set>
+class OwnEventSearch {
+  public:
+    /// `reach` is where the ball's surface gets on the whole arc.
+    OwnEventSearch(const Set& set, const MovingBall& ball, const Arc& arc, const Box& reach)
+        : set_(set), ball_(ball), arc_(arc), reach_(reach), horizon_(arc.until - arc.since) {
+        event_.t = arc.until;
+    }
+
+    [[nodiscard]] OwnEvent find() {
+        if (!moves_centre(ball_.motion)) return event_;
+        if constexpr (Set::template kHas<Rails>) find_rails(set_.template effect<Rails>());
+        if constexpr (Set::template kHas<PoolMouths>)
+            find_cushions(set_.template effect<PoolMouths>());
+        if (ball_.motion != Motion::kAirborne) find_pockets();
+        return event_;
+    }
+
+  private:
+    /// True if something after `dt` s is the first; what is as early as the first so far goes
+    /// before it, but for rails, which are met together.
+    bool is_first(double dt, OwnEvent::Kind kind) {
+        if (!(dt <= horizon_)) return false;
+        const double t = arc_.since + dt;
+        if (t > event_.t || (t == event_.t && event_.kind == OwnEvent::Kind::kTransition))
+            return false;
+        if (t < event_.t || event_.kind != kind) event_.touch_count = 0;
+        event_.t = t;
+        event_.kind = kind;
+        return true;
+    }
+
+    void touch(double dt, Rail rail, Vec2 normal) {
+        if (!is_first(dt, OwnEvent::Kind::kRail)) return;
+        if (event_.touch_count < event_.touches.size())
+            event_.touches[event_.touch_count++] = {rail, normal};
+    }
+
+    /// A piece of a cushion; at the joint of two, which have one normal, only the first counts.
+    void touch_first(double dt, Rail rail, Vec2 normal) {
+        if (arc_.since + dt < event_.t) touch(dt, rail, normal);
+    }
+
+    /// When v s + a s^2 / 2 (under drag: v s) reaches the gap, s.
+    [[nodiscard]] double time_to(double gap, double v, double a) const {
+        const double t = time_to_close(gap, v, a);
+        return arc_.drag > 0 ? time_under_drag(arc_.drag, t) : t;
+    }
+
+    void find_rails(const Rails& rails) {
+        const Vec2 edge = rails.edge(ball_.radius);
+        const Vec2 nose = rails.edge(0);
+        if (reach_.high_x >= nose.x)
+            touch(time_to(edge.x - ball_.r.x, ball_.v.x, arc_.a.x), Rail::kEast, {1, 0});
+        if (reach_.low_x <= -nose.x)
+            touch(time_to(edge.x + ball_.r.x, -ball_.v.x, -arc_.a.x), Rail::kWest, {-1, 0});
+        if (reach_.high_y >= nose.y)
+            touch(time_to(edge.y - ball_.r.y, ball_.v.y, arc_.a.y), Rail::kNorth, {0, 1});
+        if (reach_.low_y <= -nose.y)
+            touch(time_to(edge.y + ball_.r.y, -ball_.v.y, -arc_.a.y), Rail::kSouth, {0, -1});
+    }
+
+    void find_cushions(const PoolMouths& mouths) {
+        if (!mouths.may_reach(reach_)) return;
+        for (const CushionLine& line : mouths.table().lines()) {
+            const double gap = dot(line.from - ball_.r, line.normal) - ball_.radius;
+            if (!PoolMouths::faces(gap)) continue;
+            const double dt = time_to(gap, dot(ball_.v, line.normal), dot(arc_.a, line.normal));
+            if (dt <= horizon_ && within(line, place_on(ball_, arc_, arc_.since + dt)))
+                touch_first(dt, line.rail, line.normal);
+        }
+        for (const CushionArc& arc : mouths.table().arcs()) {
+            const double dt = time_to_come_within(arc.centre, arc.radius + ball_.radius);
+            if (!(dt <= horizon_)) continue;
+            const Vec2 out = place_on(ball_, arc_, arc_.since + dt) - arc.centre;
+            if (within(arc, out)) touch_first(dt, arc.rail, -normalized(out));
+        }
+    }
+
+    void find_pockets() {
+        if constexpr (Set::template kHas<EndGamePockets>) {
+            const auto& pockets = set_.template effect<EndGamePockets>();
+            if (const auto capture = pockets.first_capture_on(ball_, arc_)) take(*capture);
+        }
+        if constexpr (Set::template kHas<PocketCircles>) {
+            const auto& pockets = set_.template effect<PocketCircles>();
+            for (std::size_t i = 0; i < pockets.circles().size(); ++i) {
+                const PocketCircle& circle = pockets.circles()[i];
+                take({time_to_come_within(circle.centre, circle.radius), static_cast<Pocket>(i)});
+            }
+        }
+        if constexpr (Set::template kHas<PoolMouths>) {
+            const auto& mouths = set_.template effect<PoolMouths>();
+            if (mouths.may_reach(reach_)) {
+                for (const Hole& hole : mouths.table().holes())
+                    take({time_to_come_within(hole.centre, hole.radius), hole.pocket});
+            }
+        }
+    }
+
+    void take(const Capture& capture) {
+        // Where rail and pocket come at the same instant, the pocket does.
+        const bool as_early =
+            arc_.since + capture.t == event_.t && event_.kind == OwnEvent::Kind::kRail;
+        if (as_early) event_.t = kNever;
+        if (is_first(capture.t, OwnEvent::Kind::kCapture)) event_.pocket = capture.pocket;
+    }
+
+    /// When the ball's centre comes within `distance` of a place, s; 0 where it is there already.
+    [[nodiscard]] double time_to_come_within(Vec2 place, double distance) const {
+        // reach_ is wider than the centre's way by the radius at least.
+        if (place.x - distance > reach_.high_x || place.x + distance < reach_.low_x ||
+            place.y - distance > reach_.high_y || place.y + distance < reach_.low_y)
+            return kNever;
+        const Vec2 c = ball_.r - place;
+        if (dot(c, c) <= distance * distance) {
+            // Touching rubber is no entry; a hole holds whatever is in it.
+            const double approach = -dot(c, ball_.v);
+            return approach > 0 || (approach == 0 && dot(c, arc_.a) < 0) ? 0 : kNever;
+        }
+        if (arc_.drag > 0)
+            return time_under_drag(arc_.drag,
+                                   first_contact_straight(c, ball_.v, 0, distance, kNever));
+        if (ball_.motion == Motion::kRolling)
+            return first_contact_straight(c, ball_.v, norm(arc_.a), distance, horizon_);
+        return first_contact({c, ball_.v, arc_.a}, distance, horizon_);
+    }
+
+    const Set& set_;
+    const MovingBall& ball_;
+    const Arc& arc_;
+    const Box& reach_;
+    double horizon_;
+    OwnEvent event_;
+};
+
+}  // namespace poolhall
