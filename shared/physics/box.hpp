@@ -3,7 +3,9 @@
 #include "shared/physics/arc.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace poolhall {
 
@@ -76,8 +78,44 @@ struct Box {
     return box;
 }
 
-[[nodiscard]] constexpr bool overlap(const Box& a, const Box& b) {
-    return a.low_x <= b.high_x && b.low_x <= a.high_x && a.low_y <= b.high_y && b.low_y <= a.high_y;
-}
+/// The boxes of all balls, an array a side: looking through them reads nothing else.
+class Boxes {
+  public:
+    void resize(std::size_t balls) {
+        low_x_.resize(balls);
+        high_x_.resize(balls);
+        low_y_.resize(balls);
+        high_y_.resize(balls);
+    }
+
+    void set(std::size_t ball, const Box& box) {
+        low_x_[ball] = box.low_x;
+        high_x_[ball] = box.high_x;
+        low_y_[ball] = box.low_y;
+        high_y_[ball] = box.high_y;
+    }
+
+    /// Calls meet(other) for every ball from `from` on whose box overlaps that of `ball`, in order.
+    template <class Meet>
+    void for_each_overlap(std::size_t ball, std::size_t from, Meet meet) const {
+        const double low_x = low_x_[ball];
+        const double high_x = high_x_[ball];
+        const double low_y = low_y_[ball];
+        const double high_y = high_y_[ball];
+        for (std::size_t i = from; i < low_x_.size(); ++i) {
+            // No short cut: the comparisons cost less than branches that cannot be foreseen.
+            const int overlaps =
+                static_cast<int>(low_x_[i] <= high_x) & static_cast<int>(low_x <= high_x_[i]) &
+                static_cast<int>(low_y_[i] <= high_y) & static_cast<int>(low_y <= high_y_[i]);
+            if (overlaps != 0 && i != ball) meet(i);
+        }
+    }
+
+  private:
+    std::vector<double> low_x_;
+    std::vector<double> high_x_;
+    std::vector<double> low_y_;
+    std::vector<double> high_y_;
+};
 
 }  // namespace poolhall

@@ -2,17 +2,22 @@
 
 #include "shared/physics/arc.hpp"
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace poolhall {
 
-/// When each two balls meet, and for each ball who is first.
+/// When each two balls meet, and for each ball who is first. Most pairs never meet, so a row is
+/// walked by the bits of those that do.
 class PairTimes {
   public:
     void reset(std::size_t balls) {
         size_ = balls;
-        times_.assign(balls * balls, kNever);
+        words_ = (balls + kBits - 1) / kBits;
+        times_.resize(balls * balls);
+        meets_.assign(balls * words_, 0);
         first_.assign(balls, kNever);
         partner_.assign(balls, 0);
     }
@@ -22,46 +27,63 @@ class PairTimes {
     /// Who meets the ball first, where anybody does.
     [[nodiscard]] std::size_t partner(std::size_t ball) const { return partner_[ball]; }
 
-    [[nodiscard]] double at(std::size_t a, std::size_t b) const { return times_[a * size_ + b]; }
-
-    /// Before all times of a ball are set anew.
-    void forget(std::size_t ball) {
-        first_[ball] = kNever;
-        partner_[ball] = ball;
-    }
-
+    /// Two balls meet at t, which is not kNever.
     void set(std::size_t a, std::size_t b, double t) {
-        // Most pairs never meet, before and after.
-        if (t == times_[a * size_ + b] && t == kNever) return;
-        times_[a * size_ + b] = t;
-        times_[b * size_ + a] = t;
-        update(a, b, t);
-        update(b, a, t);
+        set_one(a, b, t);
+        set_one(b, a, t);
     }
 
-  private:
-    void update(std::size_t ball, std::size_t other, double t) {
-        if (t < first_[ball]) {
-            first_[ball] = t;
-            partner_[ball] = other;
-        } else if (partner_[ball] == other && t != first_[ball]) {
-            find_first(ball);
-        }
-    }
-
-    void find_first(std::size_t ball) {
-        const double* row = &times_[ball * size_];
+    /// The ball meets nobody, until set anew.
+    void forget(std::size_t ball) {
+        for_each_partner(ball, [&](std::size_t other, double) {
+            meets_[other * words_ + ball / kBits] &= ~bit_of(ball);
+            if (partner_[other] == ball) find_first(other);
+        });
+        for (std::size_t word = 0; word < words_; ++word)
+            meets_[ball * words_ + word] = 0;
         first_[ball] = kNever;
-        for (std::size_t i = 0; i < size_; ++i) {
-            if (row[i] < first_[ball]) {
-                first_[ball] = row[i];
-                partner_[ball] = i;
+    }
+
+    /// Calls visit(other, t) for all that the ball meets, in their order.
+    template <class Visit>
+    void for_each_partner(std::size_t ball, Visit visit) const {
+        for (std::size_t word = 0; word < words_; ++word) {
+            for (std::uint64_t bits = meets_[ball * words_ + word]; bits != 0; bits &= bits - 1) {
+                const std::size_t other =
+                    word * kBits + static_cast<std::size_t>(std::countr_zero(bits));
+                visit(other, times_[ball * size_ + other]);
             }
         }
     }
 
+  private:
+    static constexpr std::size_t kBits = 64;
+
+    static constexpr std::uint64_t bit_of(std::size_t ball) {
+        return std::uint64_t{1} << (ball % kBits);
+    }
+
+    void set_one(std::size_t ball, std::size_t other, double t) {
+        times_[ball * size_ + other] = t;
+        meets_[ball * words_ + other / kBits] |= bit_of(other);
+        if (t >= first_[ball]) return;
+        first_[ball] = t;
+        partner_[ball] = other;
+    }
+
+    void find_first(std::size_t ball) {
+        first_[ball] = kNever;
+        for_each_partner(ball, [&](std::size_t other, double t) {
+            if (t >= first_[ball]) return;
+            first_[ball] = t;
+            partner_[ball] = other;
+        });
+    }
+
     std::size_t size_ = 0;
-    std::vector<double> times_;  ///< square, symmetric
+    std::size_t words_ = 0;             ///< of bits a row
+    std::vector<double> times_;         ///< square, symmetric; holds where meets_ has a bit
+    std::vector<std::uint64_t> meets_;  ///< a row of bits a ball
     std::vector<double> first_;
     std::vector<std::size_t> partner_;
 };

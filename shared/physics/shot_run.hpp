@@ -37,7 +37,7 @@ struct Workspace {
     std::vector<MovingBall> launched;  ///< as it was at its arc's beginning
     std::vector<Vec3> drift;           ///< along the arc's chord, m/s
     std::vector<OwnEvent> own;
-    std::vector<Box> reach;  ///< of the arc up to its own event
+    Boxes reach;  ///< of the arc up to its own event
     PairTimes pairs;
 };
 

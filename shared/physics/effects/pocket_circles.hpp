@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/physics/box.hpp"
 #include "shared/physics/moving_ball.hpp"
 #include "shared/physics/scene.hpp"
 #include "shared/physics/time_of_impact.hpp"
@@ -27,6 +28,12 @@ class PocketCircles {
     }
 
     [[nodiscard]] std::span<const PocketCircle> circles() const { return circles_; }
+
+    /// False where a ball whose centre stays within the box is far from all of them: most, most of
+    /// the time, since pockets are usually at the long rails.
+    [[nodiscard]] bool may_reach(const Box& box) const {
+        return box.high_y >= free_y_ || box.low_y <= -free_y_;
+    }
 
     /// The first capture of a ball that moves from r with velocity v, within `time` s.
     [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {

@@ -124,67 +124,53 @@ class EventSolver {
         Arc& arc = work_.arcs[i];
         arc = in_play(ball) ? cloth_.arc_of(ball, now_) : Arc{};
         arc.since = now_;
-        Box& reach = work_.reach[i];
-        reach = in_play(ball) ? box_around(ball, arc, arc.until) : Box::nothing();
+        const Box whole = in_play(ball) ? box_around(ball, arc, arc.until) : Box::nothing();
         OwnEvent& own = work_.own[i];
-        own = OwnEventSearch<Set>(set_, ball, arc, reach).find();
-        if (own.t < arc.until) reach = box_around(ball, arc, own.t);
+        own = OwnEventSearch<Set>(set_, ball, arc, whole).find();
+        work_.reach.set(i, own.t < arc.until ? box_around(ball, arc, own.t) : whole);
     }
 
+    /// Finds whom ball i, whose arc begins now, meets among those from `from` on.
     void find_partners(std::size_t i, std::size_t from) {
-        if (from == 0) work_.pairs.forget(i);
-        for (std::size_t j = from; j < balls_.size(); ++j) {
-            if (j != i) work_.pairs.set(i, j, i < j ? meeting(i, j) : meeting(j, i));
-        }
+        work_.reach.for_each_overlap(i, from, [&](std::size_t j) {
+            const double t = now_ + meeting(i, j);
+            if (t < kNever) work_.pairs.set(i, j, t);
+        });
     }
 
-    /// When two balls meet, if it is before either's own event.
+    /// In how many s ball i, whose arc begins now, meets ball j, if it is before either's own
+    /// event.
     [[nodiscard]] double meeting(std::size_t i, std::size_t j) const {
-        if (!overlap(work_.reach[i], work_.reach[j])) return kNever;
         const MovingBall& a = balls_[i];
         const MovingBall& b = balls_[j];
-        const bool a_moves = moves_centre(a.motion);
-        const bool b_moves = moves_centre(b.motion);
-        if (!a_moves && !b_moves) return kNever;
         const double horizon = std::min(work_.own[i].t, work_.own[j].t) - now_;
         if constexpr (Set::template kHas<Airborne>) {
             if (a.motion == Motion::kAirborne || b.motion == Motion::kAirborne)
-                return now_ + meeting_in_air(i, j, horizon);
+                return meeting_in_air(i, j, horizon);
         }
-        if (!b_moves) return now_ + meeting_with_resting(i, j, horizon);
-        if (!a_moves) return now_ + meeting_with_resting(j, i, horizon);
-        return now_ + meeting_of_two(i, j, horizon);
-    }
-
-    [[nodiscard]] double meeting_with_resting(std::size_t i, std::size_t j, double horizon) const {
-        const Arc& arc = work_.arcs[i];
-        const Vec2 c = place_on(balls_[i], arc, now_) - balls_[j].r;
-        const Vec2 v = velocity_on(balls_[i], arc, now_);
-        if (rest_against(i, j, {c, v, arc.a})) return kNever;
-        return first_meeting(i, {c, v, arc.a}, contact_distance(balls_[i], balls_[j]), horizon);
-    }
-
-    [[nodiscard]] double meeting_of_two(std::size_t i, std::size_t j, double horizon) const {
-        const Arc& a = work_.arcs[i];
-        const Arc& b = work_.arcs[j];
-        const RelativeArc<Vec2> arc{
-            place_on(balls_[j], b, now_) - place_on(balls_[i], a, now_),
-            velocity_on(balls_[j], b, now_) - velocity_on(balls_[i], a, now_), b.a - a.a};
-        if (arc.v == Vec2{} && arc.a == Vec2{}) return kNever;
-        if (rest_against(i, j, arc)) return kNever;
-        const double distance = contact_distance(balls_[i], balls_[j]);
-        if (a.drag > 0) return time_under_drag_until(arc, a.drag, distance, horizon);
-        return first_contact(arc, distance, horizon);
-    }
-
-    /// `arc` is that of ball i as seen from a place that rests.
-    [[nodiscard]] double first_meeting(std::size_t i, const RelativeArc<Vec2>& arc, double distance,
-                                       double horizon) const {
-        const double drag = work_.arcs[i].drag;
+        const bool a_moves = moves_centre(a.motion);
+        const bool b_moves = moves_centre(b.motion);
+        if (!a_moves && !b_moves) return kNever;
+        const RelativeArc<Vec2> arc = relative_arc(i, j, b_moves);
+        const double distance = contact_distance(a, b);
+        if (rest_against(i, j, arc, distance)) return kNever;
+        const double drag = std::max(work_.arcs[i].drag, work_.arcs[j].drag);
         if (drag > 0) return time_under_drag_until(arc, drag, distance, horizon);
-        if (balls_[i].motion == Motion::kRolling)
+        // Straight on, and slower and slower.
+        if ((!b_moves && a.motion == Motion::kRolling) ||
+            (!a_moves && b.motion == Motion::kRolling))
             return first_contact_straight(arc.c, arc.v, norm(arc.a), distance, horizon);
         return first_contact(arc, distance, horizon);
+    }
+
+    /// Ball j as seen from ball i now.
+    [[nodiscard]] RelativeArc<Vec2> relative_arc(std::size_t i, std::size_t j, bool j_moves) const {
+        const MovingBall& a = balls_[i];
+        const MovingBall& b = balls_[j];
+        const Arc& other = work_.arcs[j];
+        if (!j_moves) return {b.r - a.r, -a.v, -work_.arcs[i].a};
+        return {place_on(b, other, now_) - a.r, velocity_on(b, other, now_) - a.v,
+                other.a - work_.arcs[i].a};
     }
 
     /// Under drag all balls move uniformly on a clock that they share.
@@ -211,13 +197,11 @@ class EventSolver {
 
     /// True for balls that touch, are not pressed together, and approach no more than rounding
     /// makes them: partners of an impact without friction, balls between dead rails.
-    [[nodiscard]] bool rest_against(std::size_t i, std::size_t j,
-                                    const RelativeArc<Vec2>& arc) const {
+    [[nodiscard]] bool rest_against(std::size_t i, std::size_t j, const RelativeArc<Vec2>& arc,
+                                    double distance) const {
         constexpr double kRounding = 0x1p-48;
         if (arc.a == Vec2{} && balls_[i].partner == j && balls_[j].partner == i) return true;
-        const double distance = contact_distance(balls_[i], balls_[j]);
-        const double square = dot(arc.c, arc.c);
-        if (square > (1 + kRounding) * distance * distance) return false;
+        if (dot(arc.c, arc.c) > (1 + kRounding) * distance * distance) return false;
         if (dot(arc.c, arc.a) < 0) return false;
         const double speed = norm(balls_[i].v) + norm(balls_[j].v);
         return -dot(arc.c, arc.v) <= kRounding * distance * speed;
@@ -289,13 +273,18 @@ class EventSolver {
 
     void refresh(std::size_t i) {
         launch(i);
+        renew_partners(i);
+    }
+
+    void renew_partners(std::size_t i) {
+        work_.pairs.forget(i);
         find_partners(i, 0);
     }
 
     void add_pairs(std::size_t i) {
-        for (std::size_t j = i + 1; j < balls_.size(); ++j) {
-            if (work_.pairs.at(i, j) == now_) work_.contacts.push_back(ball_contact(i, j));
-        }
+        work_.pairs.for_each_partner(i, [&](std::size_t j, double t) {
+            if (j > i && t == now_) work_.contacts.push_back(ball_contact(i, j));
+        });
     }
 
     void add_rails(std::size_t i) {
@@ -312,13 +301,14 @@ class EventSolver {
                 bring_to_now(i);
         }
         if (!resolve_contacts(set_, cloth_, run_, now_)) return false;
+        // All arcs first: a search looks at both.
         for (const Contact& contact : work_.contacts) {
             launch(contact.a);
             if (contact.b != contact.a) launch(contact.b);
         }
         for (const Contact& contact : work_.contacts) {
-            find_partners(contact.a, 0);
-            if (contact.b != contact.a) find_partners(contact.b, 0);
+            renew_partners(contact.a);
+            if (contact.b != contact.a) renew_partners(contact.b);
         }
         return true;
     }
