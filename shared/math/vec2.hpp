@@ -53,4 +53,12 @@ inline Vec2 normalized(Vec2 a) {
     return {scaled.x / length, scaled.y / length};
 }
 
+/// |a| of any vector: norm() loses what is below 1e-154 or above 1e154.
+inline double length(Vec2 a) {
+    const double square = dot(a, a);
+    // Normal numbers with all their digits.
+    if (square >= 0x1p-960 && square <= 0x1p1020) return std::sqrt(square);
+    return a == Vec2{} ? 0 : dot(normalized(a), a);
+}
+
 }  // namespace poolhall

@@ -112,14 +112,17 @@ class Cloth {
         MovingBall after = ball_on(ball, arc, arc.until);
         const MovingBall before = after;
         switch (ball.motion) {
-            case Motion::kSliding:
-                // Exactly, rather than what the arc makes of it.
+            case Motion::kSliding: {
+                // Exactly, rather than what the arc makes of it; a full draw has nothing left but
+                // rounding of what it had.
+                const double rounding = rounding_of(ball);
                 after.v = Sliding::velocity_after(ball.v, Sliding::slip(ball));
                 ball = after;
-                roll(ball, rounding_of(before));
+                roll(ball, rounding);
                 happened(EventKind::kSlideToRoll, before);
                 if (ball.motion != Motion::kRolling) happened(EventKind::kRollToRest, before);
                 break;
+            }
             case Motion::kRolling:
                 // The mean velocity, rather than the arc's end, which cancels.
                 if (arc.drag == 0) after.r = ball.r + ((arc.until - arc.since) / 2) * ball.v;
@@ -170,16 +173,16 @@ class Cloth {
 
     /// A speed (m/s) below which nothing is left of the ball's motion but rounding.
     [[nodiscard]] static double rounding_of(const MovingBall& ball) {
-        return kRounding * (norm(ball.v) + ball.radius * norm(xy(ball.w)));
+        return kRounding * (length(ball.v) + ball.radius * length(xy(ball.w)));
     }
 
     [[nodiscard]] bool slides(const MovingBall& ball) const {
-        return couples_spin() && norm(Sliding::slip(ball)) > rounding_of(ball);
+        return couples_spin() && length(Sliding::slip(ball)) > rounding_of(ball);
     }
 
     /// A full draw that stops dead leaves nothing over but `rounding`.
     void roll(MovingBall& ball, double rounding = 0) const {
-        if (rounding > 0 && norm(ball.v) <= rounding) ball.v = {};
+        if (rounding > 0 && length(ball.v) <= rounding) ball.v = {};
         if (ball.v == Vec2{}) {
             stop(ball);
             return;
@@ -225,7 +228,7 @@ class Cloth {
     void slide(const MovingBall& ball, Arc& arc) const {
         const Sliding& sliding = effects_.template effect<Sliding>();
         const Vec2 slip = Sliding::slip(ball);
-        const double speed = norm(slip);
+        const double speed = length(slip);
         const Vec2 along{slip.x / speed, slip.y / speed};
         arc.a = -sliding.deceleration() * along;
         arc.dw = sliding.spin_rate(along, ball.radius);
@@ -235,8 +238,8 @@ class Cloth {
     void decelerate(const MovingBall& ball, Arc& arc) const {
         const double deceleration = effects_.template effect<Rolling>().deceleration();
         if (deceleration == 0) return;
-        const double speed = norm(ball.v);
-        arc.a = (-deceleration / speed) * ball.v;
+        const double speed = length(ball.v);
+        arc.a = -deceleration * Vec2{ball.v.x / speed, ball.v.y / speed};
         if (couples_spin()) arc.dw = Sliding::rolling_spin(arc.a, ball.radius);
         arc.until = arc.since + speed / deceleration;
     }

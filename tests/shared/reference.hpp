@@ -41,10 +41,15 @@ struct ReferenceCase {
     }
 };
 
+/// A file of the folder reference/.
+inline nlohmann::json reference_file(const std::string& name) {
+    std::ifstream file(std::string(POOLHALL_REFERENCE_FOLDER "/") + name);
+    return nlohmann::json::parse(file);
+}
+
 /// All cases of a group.
 inline std::vector<ReferenceCase> reference_cases(const std::string& group) {
-    std::ifstream file(POOLHALL_REFERENCE_FOLDER "/closed_forms.json");
-    const nlohmann::json all = nlohmann::json::parse(file);
+    const nlohmann::json all = reference_file("closed_forms.json");
     std::vector<ReferenceCase> cases;
     for (const nlohmann::json& one : all.at("cases")) {
         if (one.at("group") != group) continue;

@@ -87,11 +87,11 @@ class SteppingSolver {
         const double dt = end - begin;
         double passed = 0;
         if constexpr (kScheme == Scheme::kSemiImplicit) kick_all(dt, begin);
+        if constexpr (kScheme == Scheme::kExactArc) aim_chords(begin, end);
         for (int round = 0; round < kMaxContactsPerTick; ++round) {
             if (run_.event_limit_reached()) return Outcome::kEventLimit;
             const double rest = std::max(dt - passed, 0.0);
             now_ = begin + passed;
-            if constexpr (kScheme == Scheme::kExactArc) aim_chords(end);
             const double next = next_instant(rest);
             if (next > rest) {
                 advance(begin + passed, end, rest);
@@ -110,8 +110,9 @@ class SteppingSolver {
 
     /// The velocity with which ball i is taken to move within this tick.
     [[nodiscard]] Vec3 drift(std::size_t i) const {
-        if constexpr (kScheme == Scheme::kExactArc) return work_.drift[i];
         const MovingBall& ball = balls_[i];
+        if constexpr (kScheme == Scheme::kExactArc)
+            return moves_centre(ball.motion) ? work_.drift[i] : Vec3{};
         return {ball.v.x, ball.v.y, ball.motion == Motion::kAirborne ? ball.climb : 0};
     }
 
@@ -161,31 +162,43 @@ class SteppingSolver {
     void launch(std::size_t i, double t) {
         work_.launched[i] = balls_[i];
         work_.arcs[i] = cloth_.arc_of(balls_[i], t);
+        aim_chord(i, t);
     }
 
-    /// Chords from where the balls are now to where they will be at `end`, or earlier where
-    /// their motion changes.
-    void aim_chords(double end) {
-        for (std::size_t i = 0; i < balls_.size(); ++i) {
-            work_.drift[i] = {};
-            const Motion motion = balls_[i].motion;
-            if (!moves_centre(motion)) continue;
-            const Arc& arc = work_.arcs[i];
-            const double to = std::min(end, arc.until);
-            const double time = to - now_;
-            if (time <= 0) continue;
-            const Vec2 r = place_on(work_.launched[i], arc, to);
-            const double height = height_on(work_.launched[i], arc, to);
-            const Vec3 way =
-                Vec3{r.x, r.y, height} - Vec3{balls_[i].r.x, balls_[i].r.y, balls_[i].height};
-            work_.drift[i] = {way.x / time, way.y / time, way.z / time};
+    void aim_chords(double begin, double end) {
+        tick_end_ = end;
+        for (std::size_t i = 0; i < balls_.size(); ++i)
+            aim_chord(i, begin);
+    }
+
+    /// Takes the chord of ball i from where it is on its arc at `from` to the tick's end, or
+    /// earlier where its motion changes. It is the mean velocity: as a difference of places it
+    /// would be nothing but rounding when the time is short.
+    void aim_chord(std::size_t i, double from) {
+        work_.drift[i] = {};
+        const MovingBall& ball = work_.launched[i];
+        const Arc& arc = work_.arcs[i];
+        const double to = std::min(tick_end_, arc.until);
+        if (to <= from) return;
+        if (arc.drag > 0) {
+            const double way = way_under_drag(arc.drag, to - from) / (to - from);
+            const Vec2 v = way * velocity_on(ball, arc, from);
+            work_.drift[i] = {v.x, v.y, 0};
+            return;
         }
+        const double middle = (from - arc.since) / 2 + (to - arc.since) / 2;
+        const Vec2 v = ball.v + middle * arc.a;
+        work_.drift[i] = {v.x, v.y, ball.climb - middle * arc.gravity};
     }
 
     /// Every ball at `t` as its arc has it.
     void arrive(double t) {
-        for (std::size_t i = 0; i < balls_.size(); ++i)
+        for (std::size_t i = 0; i < balls_.size(); ++i) {
+            const Vec2 r = balls_[i].r;
             update_from_arc(i, t);
+            // Straight on, the way within a tick is more exact than that since the last event.
+            if (work_.arcs[i].a == Vec2{} && work_.arcs[i].drag == 0) balls_[i].r = r;
+        }
     }
 
     void update_from_arc(std::size_t i, double t) {
@@ -380,7 +393,8 @@ class SteppingSolver {
     Cloth<Set> cloth_;
     Workspace& work_;
     double first_ = 0;
-    double now_ = 0;  ///< s; how far the tick has come
+    double now_ = 0;       ///< s; how far the tick has come
+    double tick_end_ = 0;  ///< s
 };
 
 }  // namespace poolhall
