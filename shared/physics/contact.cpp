@@ -103,6 +103,7 @@ ContactSolver::ContactSolver() : problem_(kGroupCapacity) {
     group_.reserve(kGroupCapacity);
     approaching_.reserve(kGroupCapacity);
     normals_.reserve(kGroupCapacity);
+    least_openings_.reserve(kGroupCapacity);
 }
 
 void ContactSolver::prepare(const Scene& scene) {
@@ -116,6 +117,8 @@ void ContactSolver::prepare(const Scene& scene) {
     has_friction_ = BallBall::has_friction(scene);
     friction_ = BallFriction(scene.effects.ball_ball);
     changes_.assign(scene.balls.size(), {});
+    slow_impacts_.assign(scene.balls.size() * scene.balls.size(), {});
+    slow_bounces_.assign(scene.balls.size(), {});
 }
 
 Vec3 ContactSolver::normal_of(const Contact& contact, std::span<const MovingBall> balls) const {
@@ -156,7 +159,15 @@ bool ContactSolver::resolve(std::span<const Contact> contacts, std::span<MovingB
     return group_.empty() || resolve_group(balls);
 }
 
-void ContactSolver::bounce(const Contact& contact, MovingBall& ball) const {
+void ContactSolver::bounce(const Contact& contact, MovingBall& ball) {
+    reflect(contact, ball);
+    if (min_separation_ == 0) return;
+    const double leaves = -dot(ball.v, contact.normal);
+    const double least = slow_bounces_[contact.a].least_speed(leaves, min_separation_);
+    if (leaves < least) ball.v = ball.v - (least - leaves) * contact.normal;
+}
+
+void ContactSolver::reflect(const Contact& contact, MovingBall& ball) const {
     if (rail_.model == RailModel::kElastic || rail_.model == RailModel::kRestitution) {
         // Along an axis the other component must keep its bits.
         if (contact.normal.y == 0) {
@@ -185,13 +196,14 @@ void ContactSolver::bounce(const Contact& contact, MovingBall& ball) const {
     set_velocity(ball, v);
 }
 
-void ContactSolver::collide(const Contact& contact, std::span<MovingBall> balls) const {
+void ContactSolver::collide(const Contact& contact, std::span<MovingBall> balls) {
     MovingBall& a = balls[contact.a];
     MovingBall& b = balls[contact.b];
     const Vec3 n = normal_of(contact, balls);
     const double approach = dot(velocity(a) - velocity(b), n);
     // A rail at the same instant, or rounding, may have turned the approach round.
-    const double change = approach + std::max(e_ball_ * approach, min_separation_);
+    const double change =
+        approach + std::max(e_ball_ * approach, least_opening(contact, e_ball_ * approach));
     if (change <= 0) return;
     const double total = a.mass + b.mass;
     ImpactBall after_a{velocity(a), a.w, a.radius, a.mass};
@@ -202,6 +214,12 @@ void ContactSolver::collide(const Contact& contact, std::span<MovingBall> balls)
     set_velocity(b, after_b.v + (change * (a.mass / total)) * n);
     a.w = after_a.w;
     b.w = after_b.w;
+}
+
+double ContactSolver::least_opening(const Contact& contact, double opening_speed) {
+    if (min_separation_ == 0) return 0;
+    return slow_impacts_[contact.a * changes_.size() + contact.b].least_speed(opening_speed,
+                                                                              min_separation_);
 }
 
 bool ContactSolver::resolve_group(std::span<MovingBall> balls) {
@@ -234,15 +252,15 @@ double ContactSolver::coupling(std::size_t i, std::size_t j,
     return shared * dot(normals_[i], normals_[j]);
 }
 
-/// The problem whose solution makes every contact open at least at that rate, m/s.
-void ContactSolver::pose(std::span<const MovingBall> balls, double least_opening) {
+/// The problem whose solution lets no contact approach.
+void ContactSolver::pose(std::span<const MovingBall> balls) {
     const std::size_t n = approaching_.size();
     normals_.clear();
     for (const Contact& contact : approaching_)
         normals_.push_back(normal_of(contact, balls));
     problem_.reset(n);
     for (std::size_t i = 0; i < n; ++i) {
-        problem_.q(i) = {opening(approaching_[i], normals_[i], balls) - least_opening};
+        problem_.q(i) = {opening(approaching_[i], normals_[i], balls)};
         for (std::size_t j = 0; j < n; ++j)
             problem_.g(i, j) = {coupling(i, j, balls)};
     }
@@ -252,7 +270,7 @@ void ContactSolver::pose(std::span<const MovingBall> balls, double least_opening
 /// are taken in double-double and rounded once, so that the order of the contacts leaves no trace
 /// in the velocities.
 void ContactSolver::reflect_together(std::span<MovingBall> balls) {
-    pose(balls, 0);
+    pose(balls);
     double fastest = 0;
     for (std::size_t i = 0; i < problem_.size(); ++i)
         fastest = std::max(fastest, std::abs(problem_.q(i).hi));
@@ -265,13 +283,22 @@ void ContactSolver::reflect_together(std::span<MovingBall> balls) {
     apply_changes(kRounding * fastest, balls);
 }
 
-/// Cloth friction would press together again what parts too slowly.
+/// Balls that come together slowly again and again, pressed by the cloth, are made to part.
 void ContactSolver::part_pressed(std::span<MovingBall> balls) {
     approaching_.clear();
+    least_openings_.clear();
+    bool any = false;
     for (const Contact& contact : group_) {
-        if (contact.kind == Contact::Kind::kBalls) approaching_.push_back(contact);
+        if (contact.kind != Contact::Kind::kBalls) continue;
+        const double speed = opening(contact, normal_of(contact, balls), balls);
+        approaching_.push_back(contact);
+        least_openings_.push_back(least_opening(contact, speed));
+        any = any || speed < least_openings_.back();
     }
-    pose(balls, min_separation_);
+    if (!any) return;
+    pose(balls);
+    for (std::size_t i = 0; i < problem_.size(); ++i)
+        problem_.q(i) = problem_.q(i) - DoubleDouble{least_openings_[i]};
     problem_.solve();
     for (std::size_t i = 0; i < problem_.size(); ++i)
         add_impulse(i, problem_.x(i), balls);

@@ -29,6 +29,33 @@ struct Contact {
 /// The unit vector from the table into one of the four straight rails.
 [[nodiscard]] Vec2 outward_normal(Rail rail);
 
+/// How often two bodies have met slowly in a row. Bodies that the cloth's friction presses together
+/// meet again after each impact, ever sooner. The first slow impact is left as its model has it,
+/// for nothing may bring the two together again; from the second on they part at a least speed that
+/// doubles each time: bounces too small to see, but few.
+class SlowImpacts {
+  public:
+    /// The least speed of an impact that by itself would leave `speed`; both in m/s.
+    [[nodiscard]] double least_speed(double speed, double min_separation) {
+        const double least = count_ == 0 ? 0 : grown(min_separation, count_ - 1);
+        if (speed > grown(min_separation, count_)) {
+            count_ = 0;
+        } else if (count_ < kMost) {
+            ++count_;
+        }
+        return least;
+    }
+
+  private:
+    static constexpr std::uint8_t kMost = 9;
+
+    static constexpr double grown(double speed, int doublings) {
+        return speed * static_cast<double>(1 << doublings);
+    }
+
+    std::uint8_t count_ = 0;
+};
+
 /// Changes the velocities of balls whose contacts fall in the same instant, by the models that the
 /// scene names.
 ///
@@ -54,10 +81,14 @@ class ContactSolver {
   private:
     [[nodiscard]] bool is_group_member(const Contact& contact) const;
     [[nodiscard]] double restitution(const Contact& contact) const;
-    void bounce(const Contact& contact, MovingBall& ball) const;
-    void collide(const Contact& contact, std::span<MovingBall> balls) const;
+    void bounce(const Contact& contact, MovingBall& ball);
+    void reflect(const Contact& contact, MovingBall& ball) const;
+    void collide(const Contact& contact, std::span<MovingBall> balls);
+    /// The least speed at which the balls of an impact part, m/s, if by themselves they would at
+    /// `opening_speed`.
+    [[nodiscard]] double least_opening(const Contact& contact, double opening_speed);
     [[nodiscard]] bool resolve_group(std::span<MovingBall> balls);
-    void pose(std::span<const MovingBall> balls, double least_opening);
+    void pose(std::span<const MovingBall> balls);
     [[nodiscard]] double coupling(std::size_t i, std::size_t j,
                                   std::span<const MovingBall> balls) const;
     void reflect_together(std::span<MovingBall> balls);
@@ -84,7 +115,10 @@ class ContactSolver {
     std::vector<Contact> group_;        ///< contacts of the group
     std::vector<Contact> approaching_;  ///< those that approach, with normals_
     std::vector<Vec3> normals_;
-    std::vector<Change> changes_;  ///< per ball
+    std::vector<Change> changes_;            ///< per ball
+    std::vector<double> least_openings_;     ///< m/s, per contact
+    std::vector<SlowImpacts> slow_impacts_;  ///< per pair
+    std::vector<SlowImpacts> slow_bounces_;  ///< per ball
 };
 
 }  // namespace poolhall
