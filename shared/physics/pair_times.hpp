@@ -44,6 +44,16 @@ class PairTimes {
         first_[ball] = kNever;
     }
 
+    /// Sets the clock of all times back, s.
+    void set_back(double passed) {
+        for (std::size_t ball = 0; ball < size_; ++ball) {
+            first_[ball] -= passed;
+            for_each_partner(ball, [&](std::size_t other, double t) {
+                times_[ball * size_ + other] = t - passed;
+            });
+        }
+    }
+
     /// Calls visit(other, t) for all that the ball meets, in their order.
     template <class Visit>
     void for_each_partner(std::size_t ball, Visit visit) const {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace poolhall {
 
@@ -27,10 +28,14 @@ class EventSolver {
 
     void solve() {
         begin();
-        run_.finish(run_events(), now_, 0);
+        const Outcome outcome = run_events();
+        run_.finish(outcome, time(), 0);
     }
 
   private:
+    /// The clock is set back when it shows this, s.
+    static constexpr double kEpoch = 1;
+
     void begin() {
         const std::size_t n = balls_.size();
         work_.arcs.resize(n);
@@ -69,19 +74,38 @@ class EventSolver {
         int at_once = 0;
         while (true) {
             const Due due = next_due();
-            sample_before(std::min(due.t, limits.time));
+            const double end = limits.time - epoch_;
+            sample_before(std::min(due.t, end));
             if (due.t == kNever && !run_.any_moves()) {
-                run_.sample_at(now_);
+                run_.sample_at(time());
                 return Outcome::kRest;
             }
             if (run_.event_limit_reached()) return stop_at(now_, Outcome::kEventLimit);
-            if (due.t > limits.time) return stop_at(limits.time, Outcome::kTimeLimit);
+            if (due.t > end) return stop_at(end, Outcome::kTimeLimit);
             at_once = due.t > now_ ? 0 : at_once + 1;
             if (at_once > kMaxEventsPerInstant) return stop_at(now_, Outcome::kStalled);
             now_ = due.t;
             if (!(due.is_alone() ? happen_alone(due) : happen_together()))
                 return stop_at(now_, Outcome::kStalled);
+            if (now_ >= kEpoch) begin_epoch();
         }
+    }
+
+    /// s since the shot's beginning.
+    [[nodiscard]] double time() const { return epoch_ + now_; }
+
+    /// Sets the clock back by whole seconds, which are exact: an instant late in a long shot would
+    /// be rounded to 1e-11 s, and a million bounces add that up.
+    void begin_epoch() {
+        const auto passed = static_cast<double>(static_cast<std::int64_t>(now_));
+        epoch_ += passed;
+        now_ -= passed;
+        for (std::size_t i = 0; i < balls_.size(); ++i) {
+            work_.arcs[i].since -= passed;
+            work_.arcs[i].until -= passed;
+            work_.own[i].t -= passed;
+        }
+        work_.pairs.set_back(passed);
     }
 
     [[nodiscard]] Due next_due() const {
@@ -94,8 +118,8 @@ class EventSolver {
     }
 
     void sample_before(double t) {
-        while (run_.next_sample() < t) {
-            const double at = run_.next_sample();
+        while (run_.next_sample() - epoch_ < t) {
+            const double at = run_.next_sample() - epoch_;
             run_.sample([&](std::size_t i) {
                 const MovingBall& ball = balls_[i];
                 if (!in_play(ball) || ball.motion == Motion::kStationary)
@@ -112,7 +136,7 @@ class EventSolver {
             if (in_play(balls_[i])) balls_[i] = ball_on(balls_[i], work_.arcs[i], t);
         }
         now_ = t;
-        run_.sample_at(t);
+        run_.sample_at(time());
         return outcome;
     }
 
@@ -260,14 +284,14 @@ class EventSolver {
 
     void transition(std::size_t i) {
         cloth_.transition(balls_[i], work_.arcs[i], [&](EventKind kind, const MovingBall& before) {
-            run_.record(now_, kind, i, before);
+            run_.record(time(), kind, i, before);
         });
         refresh(i);
     }
 
     void capture(std::size_t i) {
         balls_[i] = ball_on(balls_[i], work_.arcs[i], now_);
-        run_.capture(now_, i, work_.own[i].pocket);
+        run_.capture(time(), i, work_.own[i].pocket);
         refresh(i);
     }
 
@@ -300,7 +324,7 @@ class EventSolver {
             for (const std::size_t i : {contact.a, contact.b})
                 bring_to_now(i);
         }
-        if (!resolve_contacts(set_, cloth_, run_, now_)) return false;
+        if (!resolve_contacts(set_, cloth_, run_, time())) return false;
         // All arcs first: a search looks at both.
         for (const Contact& contact : work_.contacts) {
             launch(contact.a);
@@ -324,7 +348,8 @@ class EventSolver {
     std::vector<MovingBall>& balls_;
     Cloth<Set> cloth_;
     Workspace& work_;
-    double now_ = 0;  ///< s since the shot's beginning
+    double epoch_ = 0;  ///< whole s since the shot's beginning, at which the clock was 0
+    double now_ = 0;    ///< the clock, s; so are all times in the workspace
 };
 
 }  // namespace poolhall
