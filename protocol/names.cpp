@@ -93,6 +93,10 @@ std::string_view name(PocketModel model) {
             return "none";
         case PocketModel::kEndGame:
             return "end_game";
+        case PocketModel::kPool:
+            return "pool";
+        case PocketModel::kCircles:
+            break;
     }
     return {};
 }
@@ -101,6 +105,10 @@ std::string_view name(BallBallModel model) {
     switch (model) {
         case BallBallModel::kElastic:
             return "elastic";
+        case BallBallModel::kRestitution:
+            return "restitution";
+        case BallBallModel::kFriction:
+            return "friction";
     }
     return {};
 }
@@ -111,6 +119,12 @@ std::string_view name(RailModel model) {
             return "elastic";
         case RailModel::kRestitution:
             return "restitution";
+        case RailModel::kHan2005:
+            return "han2005";
+        case RailModel::kMathavan2010:
+            return "mathavan2010";
+        case RailModel::kMathavan2010Fast:
+            return "mathavan2010_fast";
     }
     return {};
 }

@@ -1,16 +1,12 @@
 #pragma once
 
 #include "shared/physics/scene.hpp"
-#include "shared/physics/trace.hpp"
 #include "shared/result.hpp"
 
 #include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <string_view>
 
-// The files of schema poolhall.scene/1 and poolhall.result/1. The trees keep the order of their
-// fields, so that what is written reads as DESIGN lists it; a plain nlohmann::json converts to and
-// from them.
+// Files of schema poolhall.scene/1. The trees keep the order of their fields, so that what is
+// written reads as the schema lists it; a plain nlohmann::json converts to and from them.
 namespace poolhall::protocol {
 
 /// Reads a scene and check()s it. Numbers may be JSON numbers or C hex-float strings. Unknown
@@ -18,11 +14,5 @@ namespace poolhall::protocol {
 [[nodiscard]] Result<Scene, SceneError> scene_from_json(const nlohmann::ordered_json& json);
 /// Writes every field, so that reading it back gives an equal scene.
 [[nodiscard]] nlohmann::ordered_json to_json(const Scene& scene);
-
-/// One ShotEvent with the scene's ball ids: {"t", "kind", "balls", "rail" | "pocket", "at",
-/// "before", "after"}.
-[[nodiscard]] nlohmann::ordered_json to_json(const ShotEvent& event, const Scene& scene);
-/// The result of simulating the scene, schema poolhall.result/1 (without "cost").
-[[nodiscard]] nlohmann::ordered_json to_json(const ShotTrace& trace, const Scene& scene);
 
 }  // namespace poolhall::protocol

@@ -3,6 +3,8 @@
 #include "protocol/limits.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -118,6 +120,14 @@ std::optional<double> parse_hex_float(std::string_view text) {
     const auto [stop, error] = std::from_chars(text.data(), end, value, std::chars_format::hex);
     if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
     return negative ? -value : value;
+}
+
+std::string to_hex_float(double number) {
+    std::array<char, 32> digits{};
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                            std::abs(number), std::chars_format::hex);
+    assert(error == std::errc{});
+    return (std::signbit(number) ? "-0x" : "0x") + std::string(digits.data(), end);
 }
 
 std::string shown(std::string_view key) {

@@ -25,6 +25,9 @@ namespace poolhall::protocol {
 /// double. Independent of the locale.
 [[nodiscard]] std::optional<double> parse_hex_float(std::string_view text);
 
+/// The same the other way, "0x1.8p-1": short, and exact. Requires a finite number.
+[[nodiscard]] std::string to_hex_float(double number);
+
 /// A key as it may stand in an error: cut to a readable length, without control characters.
 [[nodiscard]] std::string shown(std::string_view key);
 

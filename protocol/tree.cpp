@@ -62,16 +62,17 @@ class Builder final : public nlohmann::json_sax<Json> {
     }
 
     bool parse_error(std::size_t position, const std::string& /*token*/,
-                     const nlohmann::json::exception& /*error*/) override {
+                     const nlohmann::json::exception& /*what*/) override {
+        error.position = position;
         return refuse("a syntax error at byte " + std::to_string(position));
     }
 
     Json tree;
-    std::string reason;
+    TreeError error;
 
   private:
     bool refuse(std::string why) {
-        reason = std::move(why);
+        error.reason = std::move(why);
         return false;
     }
 
@@ -114,7 +115,7 @@ Result<Json, TreeError> parse_tree(std::string_view bytes, Encoding encoding) {
     Builder builder;
     const auto format = cbor ? Json::input_format_t::cbor : Json::input_format_t::json;
     if (!Json::sax_parse(bytes.begin(), bytes.end(), &builder, format)) {
-        return TreeError{std::move(builder.reason)};
+        return std::move(builder.error);
     }
     return std::move(builder.tree);
 }

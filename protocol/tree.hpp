@@ -5,15 +5,18 @@
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace poolhall::protocol {
 
-/// Why bytes are no tree: one sentence without a full stop, with the byte's offset where it is
-/// known.
+/// Why bytes are no tree.
 struct TreeError {
-    std::string reason;
+    std::string reason;  ///< one sentence without a full stop
+    /// Of a syntax error: how many bytes had been read, the wrong one included; more than there are
+    /// if the value does not end.
+    std::optional<std::size_t> position = {};
 };
 
 /// Reads one JSON or CBOR value and nothing after it. Refuses what could exhaust memory or stack or

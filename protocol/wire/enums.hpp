@@ -4,15 +4,15 @@
 
 #include <string_view>
 
-// The enumerations that go over the wire by name. Each counts from 0 without a gap, so its last
-// value says all.
+// The enumerations that go over the wire by name. Each counts from 0 without a gap, so the last
+// value that has a name says all.
 namespace poolhall::protocol::wire {
 
-/// "none", "end_game".
+/// "none", "end_game", "pool". kCircles is written as the list of its circles.
 [[nodiscard]] std::string_view name(PocketModel model);
-/// "elastic".
+/// "elastic", "restitution", "friction".
 [[nodiscard]] std::string_view name(BallBallModel model);
-/// "elastic", "restitution".
+/// "elastic", "restitution", "han2005", "mathavan2010", "mathavan2010_fast".
 [[nodiscard]] std::string_view name(RailModel model);
 
 template <class E>
@@ -26,22 +26,22 @@ inline constexpr Phase kLast<Phase> = Phase::kOver;
 template <>
 inline constexpr Verdict kLast<Verdict> = Verdict::kScratch;
 template <>
-inline constexpr EventKind kLast<EventKind> = EventKind::kBallPocket;
+inline constexpr EventKind kLast<EventKind> = EventKind::kOffTable;
 template <>
 inline constexpr Outcome kLast<Outcome> = Outcome::kStalled;
 template <>
-inline constexpr Motion kLast<Motion> = Motion::kPocketed;
+inline constexpr Motion kLast<Motion> = Motion::kOffTable;
 template <>
-inline constexpr SolverKind kLast<SolverKind> = SolverKind::kOverlap;
+inline constexpr SolverKind kLast<SolverKind> = SolverKind::kEvent;
 template <>
 inline constexpr Rail kLast<Rail> = Rail::kSouthWestJawW;
 template <>
 inline constexpr Pocket kLast<Pocket> = Pocket::kSouthWest;
 template <>
-inline constexpr PocketModel kLast<PocketModel> = PocketModel::kEndGame;
+inline constexpr PocketModel kLast<PocketModel> = PocketModel::kPool;
 template <>
-inline constexpr BallBallModel kLast<BallBallModel> = BallBallModel::kElastic;
+inline constexpr BallBallModel kLast<BallBallModel> = BallBallModel::kFriction;
 template <>
-inline constexpr RailModel kLast<RailModel> = RailModel::kRestitution;
+inline constexpr RailModel kLast<RailModel> = RailModel::kMathavan2010Fast;
 
 }  // namespace poolhall::protocol::wire

@@ -1,5 +1,7 @@
 #include "protocol/wire/scene_fields.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace poolhall::protocol::wire {
@@ -12,17 +14,60 @@ bool read_schema(const Cursor& cursor) {
            cursor.refuse_at("/schema", "must be \"" + std::string(kSceneSchema) + "\"");
 }
 
+/// How far a direction falls per horizontal way. Scales first, as normalized() does.
+double slope(const Vec3& direction) {
+    const double largest = std::max(std::abs(direction.x), std::abs(direction.y));
+    return -direction.z / largest / norm(Vec2{direction.x / largest, direction.y / largest});
+}
+
 /// Reads the strike of a scene whose balls are known.
 bool read_strike(const Cursor& cursor, Scene& scene) {
     StrikeForm form;
     if (!read_fields(cursor, form)) return false;
     const auto ball = find_ball(scene, form.ball);
     if (!ball) return cursor.refuse_at("/ball", "must be the id of a ball");
-    scene.strike = Strike{*ball, form.direction, form.speed};
+    if (form.direction.z != 0 && form.elevation != 0)
+        return cursor.refuse_at("/elevation", "must not be given besides a direction that falls");
+    scene.strike = Strike{*ball,       xy(form.direction), form.speed,
+                          form.offset, form.elevation,     form.end_mass_ratio};
+    if (form.direction.z == 0) return true;
+    if (xy(form.direction) == Vec2{})
+        return cursor.refuse_at("/direction", "must not point straight down");
+    scene.strike->elevation = slope(form.direction);
     return true;
 }
 
+StrikeForm form_of(const Scene& scene, const Strike& strike) {
+    return {scene.balls[strike.ball.value].id,
+            {strike.direction.x, strike.direction.y, 0},
+            strike.speed,
+            strike.offset,
+            strike.elevation,
+            strike.end_mass_ratio};
+}
+
+constexpr List<Object<PocketCircle>> kCircleList{{}, kMaxPocketCircles};
+
 }  // namespace
+
+bool StrikeDirection::read(const Cursor& cursor, Vec3& value) const {
+    if (!Vector3{2}.read(cursor, value)) return false;
+    return value.z <= 0 || cursor.refuse("must not point upwards");
+}
+
+bool PocketsCodec::read(const Cursor& cursor, Table& table) const {
+    if (cursor.json().is_array()) {
+        table.pockets = PocketModel::kCircles;
+        return kCircleList.read(cursor, table.circles);
+    }
+    if (cursor.json().is_string()) return Named<PocketModel>{}.read(cursor, table.pockets);
+    return cursor.refuse("must be a string or an array of circles");
+}
+
+Json PocketsCodec::write(const Table& table, Encoding encoding) const {
+    if (table.pockets == PocketModel::kCircles) return kCircleList.write(table.circles, encoding);
+    return Named<PocketModel>{}.write(table.pockets, encoding);
+}
 
 bool SceneCodec::read(const Cursor& cursor, Scene& scene) const {
     if (!cursor.json().is_object()) return cursor.refuse("must be an object");
@@ -40,9 +85,7 @@ Json SceneCodec::write(const Scene& scene, Encoding encoding) const {
     Json object{{"schema", kSceneSchema}};
     write_fields(object, scene, encoding);
     if (scene.strike) {
-        const Strike& strike = *scene.strike;
-        const StrikeForm form{scene.balls[strike.ball.value].id, strike.direction, strike.speed};
-        object["strike"] = Object<StrikeForm>{}.write(form, encoding);
+        object["strike"] = Object<StrikeForm>{}.write(form_of(scene, *scene.strike), encoding);
     }
     return object;
 }

@@ -12,11 +12,39 @@ namespace poolhall::protocol::wire {
 
 inline constexpr std::string_view kSceneSchema = "poolhall.scene/1";
 
+/// The direction of a strike: two numbers, or three of which the last points down.
+struct StrikeDirection {
+    [[nodiscard]] bool read(const Cursor& cursor, Vec3& value) const;
+
+    [[nodiscard]] Json write(const Vec3& value, Encoding encoding) const {
+        return Vector2{}.write(xy(value), encoding);
+    }
+};
+
+/// "none", "end_game", "pool", or a list of circles: Table::pockets and Table::circles.
+struct PocketsCodec {
+    [[nodiscard]] bool read(const Cursor& cursor, Table& table) const;
+    [[nodiscard]] Json write(const Table& table, Encoding encoding) const;
+};
+
 /// A strike as it is written: by the ball's id.
 struct StrikeForm {
     std::string ball;
-    Vec2 direction;
+    Vec3 direction;  ///< z < 0 is another way to give the elevation; never written
     double speed = 0;
+    Vec2 offset;
+    double elevation = 0;
+    double end_mass_ratio = 0;
+};
+
+template <>
+inline constexpr auto kFields<PocketCircle> = std::tuple{
+    field("id", &PocketCircle::id, Text{1, kMaxIdBytes}),
+    field(
+        "x", [](auto& circle) -> auto& { return circle.centre.x; }, SceneReal{}),
+    field(
+        "y", [](auto& circle) -> auto& { return circle.centre.y; }, SceneReal{}),
+    field("radius", &PocketCircle::radius, SceneReal{}),
 };
 
 template <>
@@ -24,7 +52,9 @@ inline constexpr auto kFields<Table> = std::tuple{
     field("length", &Table::length, SceneReal{}),
     field("width", &Table::width, SceneReal{}),
     field("rails", &Table::rails).or_default(),
-    field("pockets", &Table::pockets).or_default(),
+    field(
+        "pockets", [](auto& table) -> auto& { return table; }, PocketsCodec{})
+        .or_default(),
 };
 
 template <>
@@ -40,21 +70,58 @@ inline constexpr auto kFields<LinearDragSpec> = std::tuple{
 };
 
 template <>
+inline constexpr auto kFields<SlidingSpec> = std::tuple{
+    field("mu", &SlidingSpec::mu, SceneReal{}).or_default(),
+};
+
+template <>
+inline constexpr auto kFields<RollingSpec> = std::tuple{
+    field("mu", &RollingSpec::mu, SceneReal{}).or_default(),
+};
+
+template <>
+inline constexpr auto kFields<SpinDecaySpec> = std::tuple{
+    field("mu", &SpinDecaySpec::mu, SceneReal{}).or_default(),
+};
+
+template <>
+inline constexpr auto kFields<FrictionBySpeed> = std::tuple{
+    field("a", &FrictionBySpeed::a, SceneReal{}).or_default(),
+    field("b", &FrictionBySpeed::b, SceneReal{}).or_default(),
+    field("c", &FrictionBySpeed::c, SceneReal{}).or_default(),
+};
+
+template <>
 inline constexpr auto kFields<BallBallSpec> = std::tuple{
     field("model", &BallBallSpec::model),
+    field("e", &BallBallSpec::e, SceneReal{}).or_default(),
+    field("mu", &BallBallSpec::mu, SceneReal{}).or_default(),
+    field("friction_by_speed", &BallBallSpec::friction_by_speed),
+    field("min_separation", &BallBallSpec::min_separation, SceneReal{}).or_default(),
 };
 
 template <>
 inline constexpr auto kFields<RailSpec> = std::tuple{
     field("model", &RailSpec::model),
     field("e", &RailSpec::e, SceneReal{}).or_default(),
+    field("mu", &RailSpec::mu, SceneReal{}).or_default(),
+    field("nose_height", &RailSpec::nose_height, SceneReal{}).or_default(),
+};
+
+template <>
+inline constexpr auto kFields<AirborneSpec> = std::tuple{
+    field("e_slate", &AirborneSpec::e_slate, SceneReal{}).or_default(),
 };
 
 template <>
 inline constexpr auto kFields<Effects> = std::tuple{
     field("linear_drag", &Effects::linear_drag),
+    field("sliding", &Effects::sliding),
+    field("rolling", &Effects::rolling),
+    field("spin_decay", &Effects::spin_decay),
     field("ball_ball", &Effects::ball_ball).or_default(),
     field("rail", &Effects::rail).or_default(),
+    field("airborne", &Effects::airborne),
 };
 
 template <>
@@ -74,6 +141,8 @@ inline constexpr auto kFields<SceneBall> = std::tuple{
     field(
         "w", [](auto& ball) -> auto& { return ball.state.w; }, Vector3{3})
         .or_default(),
+    field("radius", &SceneBall::radius, SceneReal{}),
+    field("mass", &SceneBall::mass, SceneReal{}),
 };
 
 template <>
@@ -85,8 +154,11 @@ inline constexpr auto kFields<Limits> = std::tuple{
 template <>
 inline constexpr auto kFields<StrikeForm> = std::tuple{
     field("ball", &StrikeForm::ball, Text{1, kMaxIdBytes}),
-    field("direction", &StrikeForm::direction, SceneVector2{}),
+    field("direction", &StrikeForm::direction, StrikeDirection{}),
     field("speed", &StrikeForm::speed, SceneReal{}),
+    field("offset", &StrikeForm::offset, SceneVector2{}).or_default(),
+    field("elevation", &StrikeForm::elevation, SceneReal{}).or_default(),
+    field("end_mass_ratio", &StrikeForm::end_mass_ratio, SceneReal{}).or_default(),
 };
 
 /// All but "schema" and "strike", which SceneCodec adds.

@@ -25,8 +25,8 @@ Frame Playout::advance(std::uint32_t tick) {
     const ShotTrace& trace = outcome_.trace;
     Frame frame{shot_, tick, {}, {}};
     for (std::size_t ball = 0; ball < trace.balls.size(); ++ball) {
-        const Vec2 r = trace.sample(tick, ball);
-        if (r != trace.sample(tick_, ball))
+        const Vec2 r = xy(trace.sample(tick, ball));
+        if (r != xy(trace.sample(tick_, ball)))
             frame.balls.push_back({BallIndex{static_cast<std::uint16_t>(ball)}, r});
     }
     const double until = static_cast<double>(tick) / trace.sample_hz;
@@ -40,7 +40,7 @@ Frame Playout::advance(std::uint32_t tick) {
 protocol::LiveShot Playout::live() const {
     protocol::LiveShot live{shot_, tick_, {}};
     for (std::size_t ball = 0; ball < outcome_.trace.balls.size(); ++ball)
-        live.balls.push_back(outcome_.trace.sample(tick_, ball));
+        live.balls.push_back(xy(outcome_.trace.sample(tick_, ball)));
     return live;
 }
 

@@ -32,7 +32,7 @@ TEST_F(Spectator, WhoComesInMidShotSeesItFromThereToItsEnd) {
     ASSERT_GE(table.live->tick, 10U);
     ASSERT_EQ(table.live->balls.size(), 2U);
     for (std::size_t ball = 0; ball < 2; ++ball) {
-        const Vec2 exact = outcome.trace.sample(table.live->tick, ball);
+        const Vec2 exact = xy(outcome.trace.sample(table.live->tick, ball));
         EXPECT_NEAR(table.live->balls[ball].x, exact.x, 1e-5);
         EXPECT_NEAR(table.live->balls[ball].y, exact.y, 1e-5);
     }

@@ -26,7 +26,7 @@ void expect_frames(const std::vector<Frame>& frames, const ShotTrace& trace) {
         ASSERT_LT(frame.tick, trace.sample_count());
         tick = frame.tick;
         for (const Frame::Ball& ball : frame.balls) {
-            const Vec2 exact = trace.sample(tick, ball.ball.value);
+            const Vec2 exact = xy(trace.sample(tick, ball.ball.value));
             EXPECT_NEAR(ball.r.x, exact.x, kFrameTolerance) << "tick " << tick;
             EXPECT_NEAR(ball.r.y, exact.y, kFrameTolerance) << "tick " << tick;
         }

@@ -69,7 +69,7 @@ TEST(DecodeServer, SkipsUnknownFieldsEverywhere) {
     tree["later"] = {1, 2, 3};
     tree["table"]["later"] = nullptr;
     tree["table"]["seats"][0]["later"] = "x";
-    tree["table"]["scene"]["effects"]["sliding"] = {{"mu", 0.2}};
+    tree["table"]["scene"]["effects"]["later"] = {{"mu", 0.2}};
     const auto result = decode_server(tree.dump(), Encoding::kJson);
     ASSERT_TRUE(result.ok()) << result.error().reason;
     EXPECT_EQ(*result, *expected);
@@ -133,7 +133,8 @@ TEST(DecodeServer, ChecksEvents) {
                      "/t must be from 0.0 to 1.7976931348623157e+308");
     expect_bad_event(
         [](Json& e) { e["kind"] = "boom"; },
-        "/kind must be one of strike, roll_to_rest, ball_ball, ball_rail, ball_pocket");
+        "/kind must be one of strike, roll_to_rest, ball_ball, ball_rail, ball_pocket, "
+        "slide_to_roll, spin_to_rest, bounce, off_table");
     expect_bad_event([](Json& e) { e["balls"] = {1024}; }, "/balls/0 must be from 0 to 1023");
     expect_bad_event(
         [](Json& e) {

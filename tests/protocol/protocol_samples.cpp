@@ -1,12 +1,17 @@
 // Shows what the code says of the protocol, for tests in other languages.
 //
-//   protocol_samples catalog          {"client": {TYPE: {FIELD: required}}, "server": ..., "parts":
-//   ...} protocol_samples messages COUNT   JSON Lines {"from": "client" | "server", "message":
-//   {...}}
+//   protocol_samples catalog
+//       {"client": {TYPE: {FIELD: required}}, "server": ..., "parts": ...}
+//   protocol_samples messages COUNT
+//       JSON Lines {"from": "client" | "server", "message": {...}}
+//   protocol_samples results COUNT
+//       JSON Lines: a scene, its result, its result with hex floats
 
 #include "protocol/codec.hpp"
+#include "protocol/result_json.hpp"
 #include "protocol/scene_json.hpp"
 #include "protocol/wire/message_fields.hpp"
+#include "shared/physics/simulate.hpp"
 #include "tests/protocol/random_messages.hpp"
 
 #include <cstdlib>
@@ -71,10 +76,16 @@ Json parts() {
              {{"", scene},
               {"table", fields_of<Table>()},
               {"ball_spec", fields_of<BallSpec>()},
+              {"pocket_circle", fields_of<PocketCircle>()},
               {"effects", fields_of<Effects>()},
               {"linear_drag", fields_of<LinearDragSpec>()},
+              {"sliding", fields_of<SlidingSpec>()},
+              {"rolling", fields_of<RollingSpec>()},
+              {"spin_decay", fields_of<SpinDecaySpec>()},
               {"ball_ball", fields_of<BallBallSpec>()},
+              {"friction_by_speed", fields_of<FrictionBySpeed>()},
               {"rail", fields_of<RailSpec>()},
+              {"airborne", fields_of<AirborneSpec>()},
               {"solver", fields_of<SolverSpec>()},
               {"ball", fields_of<SceneBall>()},
               {"limits", fields_of<Limits>()},
@@ -102,6 +113,21 @@ void print_messages(int count) {
             print_message("client", message);
         for (const auto& message : testing::random_server_messages(random))
             print_message("server", message);
+    }
+}
+
+/// JSON Lines of scenes, each followed by its result, in decimal and in hexadecimal numbers.
+void print_results(int count) {
+    testing::Random random(17);
+    for (int i = 0; i < count; ++i) {
+        Scene scene = testing::random_scene(random, true);
+        scene.limits = {10, 1000};
+        const ShotTrace trace = simulate(scene, i % 2 == 0 ? 1 : 0);
+        std::cout << to_json(scene).dump() << "\n";
+        write_result(std::cout, trace, scene, {.cost_ns = 1});
+        std::cout << "\n";
+        write_result(std::cout, trace, scene, {.numbers = Numbers::kHexFloat});
+        std::cout << "\n";
     }
 }
 
@@ -139,10 +165,13 @@ int main(int argc, char** argv) {
         poolhall::protocol::print_catalog();
     } else if (mode == "messages" && argc == 3) {
         poolhall::protocol::print_messages(std::atoi(argv[2]));
+    } else if (mode == "results" && argc == 3) {
+        poolhall::protocol::print_results(std::atoi(argv[2]));
     } else if (mode == "seeds" && argc == 3) {
         poolhall::protocol::write_seeds(argv[2]);
     } else {
-        std::cerr << "usage: protocol_samples catalog | messages COUNT | seeds FOLDER\n";
+        std::cerr
+            << "usage: protocol_samples catalog | messages COUNT | results COUNT | seeds FOLDER\n";
         return 2;
     }
     return 0;

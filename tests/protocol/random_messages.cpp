@@ -174,6 +174,54 @@ ShotEnded shot_ended(Random& random) {
     return result;
 }
 
+double positive(Random& random, double limit) {
+    return limit / 2 + random.real(limit / 2);
+}
+
+Table table_of_scene(Random& random) {
+    Table table{4 + random.real(1), 3 + random.real(1), true, any_of<PocketModel>(random)};
+    if (random.coin()) return table;
+    table.pockets = PocketModel::kCircles;
+    for (std::size_t i = random.below(4); i > 0; --i)
+        table.circles.push_back(
+            {person(random) + std::to_string(i), vec2(random, 2), positive(random, 0.1)});
+    return table;
+}
+
+BallBallSpec ball_ball(Random& random) {
+    BallBallSpec spec{any_of<BallBallModel>(random),
+                      positive(random, 1),
+                      positive(random, 0.1),
+                      {},
+                      positive(random, 1e-3)};
+    if (random.coin())
+        spec.friction_by_speed =
+            FrictionBySpeed{positive(random, 0.1), positive(random, 0.1), positive(random, 2)};
+    return spec;
+}
+
+Effects effects(Random& random) {
+    Effects result;
+    if (random.coin())
+        result.linear_drag = LinearDragSpec{positive(random, 1), positive(random, 0.2)};
+    if (random.coin()) result.sliding = SlidingSpec{positive(random, 0.5)};
+    if (random.coin()) result.rolling = RollingSpec{positive(random, 0.05)};
+    if (random.coin()) result.spin_decay = SpinDecaySpec{positive(random, 0.05)};
+    result.ball_ball = ball_ball(random);
+    result.rail = {any_of<RailModel>(random), positive(random, 1), positive(random, 0.5),
+                   0.02 + positive(random, 0.02)};
+    if (random.coin()) result.airborne = AirborneSpec{positive(random, 1)};
+    return result;
+}
+
+/// Any solver that can do what the scene asks for.
+SolverKind fitting_solver(Random& random, Scene scene) {
+    for (;;) {
+        scene.solver.kind = any_of<SolverKind>(random);
+        if (!check(scene)) return scene.solver.kind;
+    }
+}
+
 }  // namespace
 
 std::uint64_t Random::word() {
@@ -196,13 +244,11 @@ double Random::real(double limit) {
 Scene random_scene(Random& random, bool with_strike) {
     Scene scene;
     scene.id = random.coin() ? "" : person(random);
-    scene.table = {4 + random.real(1), 3 + random.real(1), true, any_of<PocketModel>(random)};
+    scene.table = table_of_scene(random);
     scene.ball = {0.03 + random.real(0.01), 0.2 + random.real(0.1)};
     scene.gravity = 9.81 + random.real(0.1);
-    if (random.coin())
-        scene.effects.linear_drag = LinearDragSpec{random.real(0.5) + 0.5, random.real(0.1) + 0.1};
-    scene.effects.rail = {any_of<RailModel>(random), random.real(0.5) + 0.5};
-    scene.solver = {any_of<SolverKind>(random), 30 + 10 * static_cast<double>(random.below(10))};
+    scene.effects = effects(random);
+    scene.solver = {fitting_solver(random, scene), 30 + 10 * static_cast<double>(random.below(10))};
     scene.limits = {random.real(300) + 301, 1 + number(random) % 100000};
     const std::size_t count = 1 + random.below(6);
     for (std::size_t i = 0; i < count; ++i) {
@@ -210,11 +256,18 @@ Scene random_scene(Random& random, bool with_strike) {
         // Cells 0.3 m apart keep the balls on the table and from overlapping.
         const double cell = 0.3 * static_cast<double>(i);
         ball.state.r = {cell - 0.75 + random.real(0.1), random.real(0.8), 0};
+        if (!scene.effects.airborne) ball.state.v.z = 0;
+        if (random.coin()) ball.radius = 0.03 + random.real(0.01);
+        if (random.coin()) ball.mass = positive(random, 0.3);
         scene.balls.push_back(ball);
     }
     if (with_strike) {
         scene.strike = Strike{BallIndex{static_cast<std::uint16_t>(random.below(count))},
-                              direction(random), random.real(15) + 15};
+                              direction(random),
+                              positive(random, 30),
+                              vec2(random, 0.7),
+                              positive(random, 3),
+                              positive(random, 1)};
     }
     return scene;
 }

@@ -1,11 +1,11 @@
 #include "protocol/scene_json.hpp"
 
-#include "shared/physics/simulate.hpp"
 #include "tests/protocol/random_messages.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace poolhall::protocol {
 namespace {
@@ -20,13 +20,19 @@ Json whole_scene() {
         "ball": {"radius": 0.028575, "mass": 0.170097},
         "gravity": 9.81,
         "effects": {"linear_drag": {"k": 0.6, "stop_speed": 0.0625},
-                    "ball_ball": {"model": "elastic"},
-                    "rail": {"model": "restitution", "e": 0.85}},
+                    "sliding": {"mu": 0.3}, "rolling": {"mu": 0.02}, "spin_decay": {"mu": 0.04},
+                    "ball_ball": {"model": "friction", "e": 0.9, "mu": 0.07,
+                                  "friction_by_speed": {"a": 0.01, "b": 0.1, "c": 1},
+                                  "min_separation": 0.001},
+                    "rail": {"model": "han2005", "e": 0.85, "mu": 0.25, "nose_height": 0.035},
+                    "airborne": {"e_slate": 0.6}},
         "solver": {"kind": "euler", "hz": 60},
         "balls": [{"id": "cue", "r": [-0.5, 0]},
-                  {"id": "8", "r": [0.5, 0.25, 0], "v": [0.1, 0], "w": [0, 0, 1]}],
+                  {"id": "8", "r": [0.5, 0.25, 0.1], "v": [0.1, 0], "w": [0, 0, 1],
+                   "radius": 0.03, "mass": 0.2}],
         "limits": {"time": 60, "events": 1000},
-        "strike": {"ball": "cue", "direction": [1, 0.5], "speed": 2}})");
+        "strike": {"ball": "cue", "direction": [1, 0.5], "speed": 2, "offset": [0.25, -0.5],
+                   "elevation": 0.125, "end_mass_ratio": 0.0625}})");
 }
 
 /// Puts a value at a pointer (or removes it, for a discarded value) and expects a refusal.
@@ -46,13 +52,19 @@ TEST(SceneJson, ReadsEveryField) {
     Scene expected;
     expected.id = "whole";
     expected.table = {2.54, 1.27, true, PocketModel::kEndGame};
-    expected.effects.linear_drag = LinearDragSpec{0.6, 0.0625};
-    expected.effects.rail = {RailModel::kRestitution, 0.85};
+    expected.effects = {
+        .linear_drag = LinearDragSpec{0.6, 0.0625},
+        .sliding = SlidingSpec{0.3},
+        .rolling = RollingSpec{0.02},
+        .spin_decay = SpinDecaySpec{0.04},
+        .ball_ball = {BallBallModel::kFriction, 0.9, 0.07, FrictionBySpeed{0.01, 0.1, 1}, 0.001},
+        .rail = {RailModel::kHan2005, 0.85, 0.25, 0.035},
+        .airborne = AirborneSpec{0.6}};
     expected.solver = {SolverKind::kEuler, 60};
     expected.balls = {{"cue", {{-0.5, 0, 0}, {}, {}}},
-                      {"8", {{0.5, 0.25, 0}, {0.1, 0, 0}, {0, 0, 1}}}};
+                      {"8", {{0.5, 0.25, 0.1}, {0.1, 0, 0}, {0, 0, 1}}, 0.03, 0.2}};
     expected.limits = {60, 1000};
-    expected.strike = Strike{BallIndex{0}, {1, 0.5}, 2};
+    expected.strike = Strike{BallIndex{0}, {1, 0.5}, 2, {0.25, -0.5}, 0.125, 0.0625};
     EXPECT_EQ(*scene, expected);
 }
 
@@ -65,6 +77,74 @@ TEST(SceneJson, ReadsTheLeastThatIsAScene) {
     expected.table = {3, 2, true, PocketModel::kNone};
     expected.solver = {SolverKind::kOverlap, 30};
     EXPECT_EQ(*scene, expected);
+}
+
+TEST(SceneJson, TakesAnEffectsCoefficientsFromItsDefaults) {
+    Json json = whole_scene();
+    json["effects"] = Json::parse(
+        R"({"sliding": {}, "rolling": {}, "spin_decay": {}, "airborne": {},
+            "ball_ball": {"model": "friction", "friction_by_speed": {}}, "rail": {"model": "han2005"}})");
+    const auto scene = scene_from_json(json);
+    ASSERT_TRUE(scene.ok()) << scene.error().pointer << " " << scene.error().reason;
+    Effects expected;
+    expected.sliding = SlidingSpec{};
+    expected.rolling = RollingSpec{};
+    expected.spin_decay = SpinDecaySpec{};
+    expected.airborne = AirborneSpec{};
+    expected.ball_ball.model = BallBallModel::kFriction;
+    expected.ball_ball.friction_by_speed = FrictionBySpeed{};
+    expected.rail.model = RailModel::kHan2005;
+    EXPECT_EQ(scene->effects, expected);
+}
+
+TEST(SceneJson, ReadsPocketsAsAListOfCircles) {
+    Json json = whole_scene();
+    json["table"]["pockets"] = Json::parse(
+        R"([{"id": "NE", "x": 1.27, "y": 0.635, "radius": 0.06},
+            {"id": "left", "x": -1, "y": "0x1p-2", "radius": "0x1p-5"}])");
+    const auto scene = scene_from_json(json);
+    ASSERT_TRUE(scene.ok()) << scene.error().pointer << " " << scene.error().reason;
+    EXPECT_EQ(scene->table.pockets, PocketModel::kCircles);
+    EXPECT_EQ(scene->table.circles, (std::vector<PocketCircle>{{"NE", {1.27, 0.635}, 0.06},
+                                                               {"left", {-1, 0.25}, 0.03125}}));
+    EXPECT_EQ(*scene_from_json(to_json(*scene)), *scene);
+}
+
+TEST(SceneJson, RefusesCirclesAtTheirPlace) {
+    const Json circle{{"id", "a"}, {"x", 1}, {"y", 0.5}, {"radius", 0.05}};
+    const std::string at = "/table/pockets";
+    expect_refused(at, 3, at, "must be a string or an array of circles");
+    expect_refused(at, {circle, circle}, at + "/1/id", "is the same as /table/pockets/0/id");
+    expect_refused(at, Json(65, circle), at, "must have 0 to 64 elements");
+    expect_refused(at, Json::array({Json{{"id", "a"}, {"x", 1}, {"y", 0.5}}}), at + "/0/radius",
+                   "is missing");
+    Json flat = circle;
+    flat["radius"] = 0;
+    expect_refused(at, Json::array({flat}), at + "/0/radius",
+                   "must be positive and within its bounds");
+}
+
+TEST(SceneJson, ReadsAnElevatedCueFromADirectionThatFalls) {
+    Json json = whole_scene();
+    json["strike"].erase("elevation");
+    json["strike"]["direction"] = {3, 4, -10};
+    const auto scene = scene_from_json(json);
+    ASSERT_TRUE(scene.ok()) << scene.error().pointer << " " << scene.error().reason;
+    EXPECT_EQ(scene->strike->direction, (Vec2{3, 4}));
+    EXPECT_EQ(scene->strike->elevation, 2);
+    json["strike"]["elevation"] = 0;
+    EXPECT_EQ(scene_from_json(json)->strike->elevation, 2) << "0 is as good as left out";
+    json["strike"]["direction"] = {3, 4, -0.0};
+    EXPECT_EQ(scene_from_json(json)->strike->elevation, 0);
+}
+
+TEST(SceneJson, RefusesDirectionsThatRiseOrSayTwoThings) {
+    const std::string at = "/strike/direction";
+    expect_refused(at, {3, 4, 1}, at, "must not point upwards");
+    expect_refused(at, {3, 4, -1}, "/strike/elevation",
+                   "must not be given besides a direction that falls");
+    expect_refused("/strike", {{"ball", "cue"}, {"direction", {0, 0, -1}}, {"speed", 1}}, at,
+                   "must not point straight down");
 }
 
 TEST(SceneJson, ComesBackEqual) {
@@ -112,25 +192,28 @@ TEST(SceneJson, RefusesShapesAtTheirPlace) {
     expect_refused("", Json::array(), "", "must be an object");
     expect_refused("/table", 1, "/table", "must be an object");
     expect_refused("/table/rails", "no", "/table/rails", "must be true or false");
-    expect_refused("/table/pockets", "mouths", "/table/pockets", "must be one of none, end_game");
+    expect_refused("/table/pockets", "mouths", "/table/pockets",
+                   "must be one of none, end_game, pool");
     expect_refused("/balls", Json::object(), "/balls", "must be an array");
     expect_refused("/balls/0", 1, "/balls/0", "must be an object");
     expect_refused("/balls/0/r", {1}, "/balls/0/r", "must have 2 to 3 elements");
     expect_refused("/balls/1/w", {1, 2}, "/balls/1/w", "must have 3 elements");
     expect_refused("/balls/0/id", "", "/balls/0/id", "must be 1 to 64 bytes of UTF-8");
     expect_refused("/balls/0/id", 8, "/balls/0/id", "must be a string");
-    expect_refused("/strike/direction", {1, 0, 0}, "/strike/direction", "must have 2 elements");
+    expect_refused("/strike/direction", {1}, "/strike/direction", "must have 2 to 3 elements");
+    expect_refused("/strike/offset", {1, 0, 0}, "/strike/offset", "must have 2 elements");
 }
 
 TEST(SceneJson, RefusesWhatIsNotSimulated) {
-    expect_refused("/effects/sliding", {{"mu", 0.2}}, "/effects/sliding", "is not known");
-    expect_refused("/effects/ball_ball/model", "friction", "/effects/ball_ball/model",
-                   "must be one of elastic");
-    expect_refused("/effects/rail/model", "han2005", "/effects/rail/model",
-                   "must be one of elastic, restitution");
-    expect_refused("/effects/rail/mu", 0.2, "/effects/rail/mu", "is not known");
-    expect_refused("/solver/kind", "event", "/solver/kind", "must be one of euler, overlap");
-    expect_refused("/strike/elevation", 0.1, "/strike/elevation", "is not known");
+    expect_refused("/effects/wind", {{"mu", 0.2}}, "/effects/wind", "is not known");
+    expect_refused("/effects/ball_ball/model", "sticky", "/effects/ball_ball/model",
+                   "must be one of elastic, restitution, friction");
+    expect_refused("/effects/rail/model", "stronge", "/effects/rail/model",
+                   "must be one of elastic, restitution, han2005, mathavan2010, mathavan2010_fast");
+    expect_refused("/effects/sliding/nu", 0.2, "/effects/sliding/nu", "is not known");
+    expect_refused("/solver/kind", "rk4", "/solver/kind",
+                   "must be one of euler, overlap, semi_implicit, exact_arc, event");
+    expect_refused("/strike/angle", 0.1, "/strike/angle", "is not known");
     expect_refused("/color", "green", "/color", "is not known");
     expect_refused("/balls/1/colour", "black", "/balls/1/colour", "is not known");
 }
@@ -141,6 +224,10 @@ TEST(SceneJson, RefusesWhatCheckRefuses) {
     expect_refused("/strike/direction", {0, 0}, "/strike/direction", "must not be zero");
     expect_refused("/balls/1/id", "cue", "/balls/1/id", "is the same as /balls/0/id");
     expect_refused("/balls/1/r", {-0.5, 0.01}, "/balls/1/r", "overlaps /balls/0");
+    expect_refused("/strike/offset", {0.8, 0.6}, "/strike/offset",
+                   "must be shorter than 1, or the tip misses the ball");
+    expect_refused("/solver/kind", "event", "/solver/kind",
+                   "has no closed form of linear_drag together with sliding or rolling");
 }
 
 TEST(SceneJson, RefusesMissingFields) {
@@ -166,41 +253,6 @@ TEST(SceneJson, WritesItsFieldsInTheDocumentedOrder) {
     for (const auto& item : json.items())
         keys += item.key() + " ";
     EXPECT_EQ(keys, "schema id table ball gravity effects solver balls limits strike ");
-}
-
-TEST(ResultJson, TellsAShot) {
-    const Scene scene = *scene_from_json(whole_scene());
-    const ShotTrace trace = simulate(scene, 30);
-    const Json result = to_json(trace, scene);
-    EXPECT_EQ(result["schema"], "poolhall.result/1");
-    EXPECT_EQ(result["id"], "whole");
-    EXPECT_EQ(result["solver"], "euler");
-    EXPECT_EQ(result["outcome"], "rest");
-    EXPECT_EQ(result["hash"], to_hex(trace.hash));
-    EXPECT_EQ(result["duration"], trace.duration);
-    ASSERT_EQ(result["events"].size(), trace.events.size());
-    ASSERT_EQ(result["balls"].size(), 2U);
-    EXPECT_EQ(result["balls"][0]["id"], "cue");
-    EXPECT_EQ(result["samples"].size(), trace.sample_count());
-    EXPECT_EQ(result["samples"][0]["r"][0], Json::array({-0.5, 0.0, 0.0}));
-}
-
-TEST(ResultJson, NamesTheBallsOfAnEvent) {
-    const Scene scene = *scene_from_json(whole_scene());
-    ShotEvent event;
-    event.t = 0.25;
-    event.kind = EventKind::kBallBall;
-    event.ball_count = 2;
-    event.balls = {BallIndex{0}, BallIndex{1}};
-    event.before[0].r = {1, 0, 0};
-    event.before[1].r = {2, 1, 0};
-    event.after = event.before;
-    const Json json = to_json(event, scene);
-    EXPECT_EQ(json["balls"], Json::array({"cue", "8"}));
-    EXPECT_EQ(json["at"], Json::array({1.5, 0.5}));
-    EXPECT_EQ(json["before"]["8"]["r"], Json::array({2.0, 1.0, 0.0}));
-    EXPECT_FALSE(json.contains("rail"));
-    EXPECT_FALSE(json.contains("pocket"));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ MESSAGES = samples("messages", str(ROUNDS))
 
 class Schemas(unittest.TestCase):
     def test_are_schemas(self):
-        for name in ("client-message.json", "server-message.json", "scene.json"):
+        for name in ("client-message.json", "server-message.json", "scene.json", "result.json"):
             jsonschema.Draft202012Validator.check_schema(schema(name))
 
     def test_list_the_messages_of_the_code(self):
@@ -69,6 +69,16 @@ class Schemas(unittest.TestCase):
         self.assertEqual(len(MESSAGES), ROUNDS * (len(CATALOG["client"]) + len(CATALOG["server"])))
         for sample in MESSAGES:
             validators[sample["from"]].validate(sample["message"])
+
+    def test_accept_the_scenes_and_results_that_the_code_writes(self):
+        scene, result = validator("scene.json"), validator("result.json")
+        lines = samples("results", str(ROUNDS))
+        self.assertEqual(len(lines), 3 * ROUNDS)
+        for i in range(0, len(lines), 3):
+            scene.validate(lines[i])
+            result.validate(lines[i + 1])
+            result.validate(lines[i + 2])
+            self.assertIsInstance(lines[i + 2]["duration"], str)
 
     def test_refuse_what_clients_must_not_send(self):
         check = validator("client-message.json")

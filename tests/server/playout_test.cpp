@@ -40,7 +40,7 @@ TEST(Playout, FrameHasOnlyTheBallsThatMoved) {
     const Frame first = playout.advance(1);
     ASSERT_EQ(first.balls.size(), 1U) << "the 8-ball has not been hit yet";
     EXPECT_EQ(first.balls.front().r,
-              playout.outcome().trace.sample(1, first.balls.front().ball.value));
+              xy(playout.outcome().trace.sample(1, first.balls.front().ball.value)));
 }
 
 TEST(Playout, SkippedTicksLoseNoEvent) {
@@ -67,7 +67,7 @@ TEST(Playout, LateComerSeesWhereTheBallsAre) {
     const protocol::LiveShot live = playout.live();
     EXPECT_EQ(live.tick, 7U);
     ASSERT_EQ(live.balls.size(), 2U);
-    EXPECT_EQ(live.balls[0], playout.outcome().trace.sample(7, 0));
+    EXPECT_EQ(live.balls[0], xy(playout.outcome().trace.sample(7, 0)));
 }
 
 }  // namespace

@@ -34,9 +34,14 @@ std::optional<Audible> audible_event(const ShotEvent& event, const Table& table)
             return Audible{Sound::kClick, loudness(approach_speed(event)), pan};
         case EventKind::kBallRail:
             return Audible{Sound::kRail, loudness(speed_into_rail(event)), pan};
+        case EventKind::kBounce:
+            return Audible{Sound::kRail, loudness(std::abs(event.before[0].v.z)), pan};
         case EventKind::kBallPocket:
             return Audible{Sound::kPocket, 1, pan};
         case EventKind::kRollToRest:
+        case EventKind::kSlideToRoll:
+        case EventKind::kSpinToRest:
+        case EventKind::kOffTable:
             return std::nullopt;
     }
     return std::nullopt;

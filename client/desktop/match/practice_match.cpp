@@ -18,7 +18,7 @@ Shot played_shot(std::uint32_t number, const ShotOutcome& outcome, BallIndex cue
         while (event < trace.events.size() && trace.events[event].t <= t)
             ++event;
         for (std::size_t i = 0; i < moved.size(); ++i) {
-            moved[i] = {BallIndex{static_cast<std::uint16_t>(i)}, trace.sample(k, i)};
+            moved[i] = {BallIndex{static_cast<std::uint16_t>(i)}, xy(trace.sample(k, i))};
         }
         timeline.extend(t, std::span(trace.events).subspan(first, event - first), moved);
     }

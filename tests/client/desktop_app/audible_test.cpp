@@ -7,7 +7,7 @@
 namespace poolhall::client {
 namespace {
 
-constexpr Table kTable{2, 1, true, PocketModel::kNone};
+const Table kTable{2, 1, true, PocketModel::kNone};
 
 ShotEvent collision(Vec2 v, Vec2 other_v) {
     ShotEvent event;

@@ -53,7 +53,7 @@ Frame frame_at(const ShotTrace& trace, std::uint32_t tick, std::uint32_t shot,
     frame.tick = tick;
     for (std::uint16_t i = 0; i < trace.balls.size(); ++i) {
         if (trace.sample(tick, i) != trace.sample(tick - 1, i)) {
-            frame.balls.push_back({BallIndex{i}, trace.sample(tick, i)});
+            frame.balls.push_back({BallIndex{i}, xy(trace.sample(tick, i))});
         }
     }
     while (next_event < trace.events.size() && trace.events[next_event].t <= tick / 30.0) {

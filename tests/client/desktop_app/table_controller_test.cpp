@@ -125,7 +125,7 @@ TEST_F(PracticeTest, ShotOnTheScreenIsTheSimulatedOne) {
     for (std::size_t k = 1; k < outcome.trace.sample_count() - 1; ++k) {
         press(SDLK_SPACE);
         for (std::size_t i = 0; i < 2; ++i) {
-            EXPECT_NEAR(norm(ball(i) - outcome.trace.sample(k, i)), 0, 1e-9)
+            EXPECT_NEAR(norm(ball(i) - xy(outcome.trace.sample(k, i))), 0, 1e-9)
                 << "step " << k << " ball " << i;
         }
     }

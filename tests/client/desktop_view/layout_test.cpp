@@ -7,7 +7,7 @@
 namespace poolhall::client {
 namespace {
 
-constexpr Table kTable{end_game::kLength, end_game::kWidth, true, PocketModel::kEndGame};
+const Table kTable{end_game::kLength, end_game::kWidth, true, PocketModel::kEndGame};
 constexpr double kRadius = 0.028575;
 constexpr SDL_Point kSizes[] = {{1280, 720},  {480, 320},  {640, 480},  {1920, 1080},
                                 {3840, 2160}, {600, 1000}, {1400, 420}, {2000, 300}};
