@@ -1,10 +1,10 @@
 // What the simulation costs. Every benchmark checks its answer before it times it. CSV:
 // --benchmark_format=csv; the compiler, its flags and the processor stand in the context.
 
+#include "client/lab/build_info.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
 #include "shared/physics/time_of_impact.hpp"
-#include "tests/bench/build_info.hpp"
 
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -98,7 +98,7 @@ BENCHMARK(impact)->ArgName("full0_miss1_graze2")->DenseRange(0, 2);
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    const poolhall::bench::BuildInfo info = poolhall::bench::build_info();
+    const poolhall::lab::BuildInfo info = poolhall::lab::build_info();
     benchmark::AddCustomContext("compiler", info.compiler);
     benchmark::AddCustomContext("flags", info.flags);
     benchmark::AddCustomContext("processor", info.processor);

@@ -1,4 +1,4 @@
-#include "tests/bench/build_info.hpp"
+#include "client/lab/build_info.hpp"
 #include "tests/e2e/server_process.hpp"
 #include "tests/load/player.hpp"
 #include "tests/load/process_cost.hpp"
@@ -36,7 +36,7 @@ void print(const std::string& figure, double value, const char* unit) {
 
 /// The lines above the table; the server is built by the same compiler with the same flags.
 void print_build() {
-    const bench::BuildInfo info = bench::build_info();
+    const lab::BuildInfo info = lab::build_info();
     std::printf("# compiler: %s\n# flags: %s\n# processor: %s\n", info.compiler.c_str(),
                 info.flags.c_str(), info.processor.c_str());
 }

@@ -3,7 +3,7 @@
 #include <string>
 
 // What every table of measurements must say of itself.
-namespace poolhall::bench {
+namespace poolhall::lab {
 
 struct BuildInfo {
     std::string compiler;   ///< name and version
@@ -14,4 +14,4 @@ struct BuildInfo {
 /// Of this program, on this machine.
 [[nodiscard]] BuildInfo build_info();
 
-}  // namespace poolhall::bench
+}  // namespace poolhall::lab

@@ -1,8 +1,8 @@
-#include "tests/bench/build_info.hpp"
+#include "client/lab/build_info.hpp"
 
 #include <fstream>
 
-namespace poolhall::bench {
+namespace poolhall::lab {
 namespace {
 
 std::string processor() {
@@ -19,4 +19,4 @@ BuildInfo build_info() {
     return {POOLHALL_COMPILER, POOLHALL_FLAGS, processor()};
 }
 
-}  // namespace poolhall::bench
+}  // namespace poolhall::lab

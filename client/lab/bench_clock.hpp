@@ -1,0 +1,63 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace poolhall::lab {
+
+/// CPU time of this thread, ns.
+[[nodiscard]] double cpu_time_ns();
+
+/// Counts the instructions of this thread where processor and kernel let it (perf_event_open);
+/// many virtual machines do not.
+class InstructionCounter {
+  public:
+    InstructionCounter();
+    ~InstructionCounter();
+    InstructionCounter(const InstructionCounter&) = delete;
+    InstructionCounter& operator=(const InstructionCounter&) = delete;
+
+    /// So far; nothing where they cannot be counted.
+    [[nodiscard]] std::optional<std::uint64_t> count() const;
+
+  private:
+    int file_ = -1;
+};
+
+struct Cost {
+    double ns = 0;  ///< CPU time, the median of kRepeats
+    std::optional<double> instructions;
+};
+
+inline constexpr std::size_t kRepeats = 7;
+inline constexpr double kLeastRepeatNs = 2e7;  ///< long against the clock's steps
+
+/// What one call of work() costs, once it is warm.
+template <class Work>
+[[nodiscard]] Cost measure(Work work) {
+    work();
+    const double start = cpu_time_ns();
+    work();
+    const double once = std::max(cpu_time_ns() - start, 1.0);
+    const auto rounds = static_cast<std::uint64_t>(std::max(kLeastRepeatNs / once, 1.0));
+    const InstructionCounter counter;
+    const auto before = counter.count();
+    std::array<double, kRepeats> times{};
+    for (double& time : times) {
+        const double begin = cpu_time_ns();
+        for (std::uint64_t i = 0; i < rounds; ++i)
+            work();
+        time = (cpu_time_ns() - begin) / static_cast<double>(rounds);
+    }
+    Cost cost;
+    if (const auto after = counter.count(); before && after)
+        cost.instructions =
+            static_cast<double>(*after - *before) / static_cast<double>(rounds * kRepeats);
+    std::nth_element(times.begin(), times.begin() + kRepeats / 2, times.end());
+    cost.ns = times[kRepeats / 2];
+    return cost;
+}
+
+}  // namespace poolhall::lab

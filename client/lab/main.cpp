@@ -1,0 +1,105 @@
+#include "client/lab/bench_command.hpp"
+#include "client/lab/simulate_command.hpp"
+#include "client/lab/solver_option.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <system_error>
+
+namespace {
+
+using namespace poolhall::lab;
+
+/// What the command line asks for.
+struct Options {
+    SimulateOptions simulate;
+    std::string file = "-";
+    std::string csv;
+};
+
+/// Empty for a rate of samples, HZ. CLI11's own range lets NaN through.
+std::string fault_of_rate(const std::string& text) {
+    double hz = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, hz);
+    const bool good = error == std::errc{} && stop == end && hz > 0 && hz <= poolhall::kMaxSolverHz;
+    return good ? "" : "must be a number above 0, up to 1e6";
+}
+
+/// A solver as CLI11 reads it.
+void add_solver(CLI::App* command, SimulateOptions& options) {
+    const auto read = [&options](const std::string& text) {
+        options.solver = parse_solver(text);
+        if (!options.solver)
+            throw CLI::ValidationError(
+                "--solver",
+                "must be event, or euler, semi_implicit, exact_arc or overlap with "
+                "ticks a second (euler:30), not " +
+                    text);
+    };
+    command->add_option_function<std::string>("--solver", read, "Instead of the scenes' own")
+        ->type_name("KIND[:HZ]");
+}
+
+void add_simulate(CLI::App& app, Options& options) {
+    CLI::App* command = app.add_subcommand(
+        "simulate", "Scenes in, JSON Lines or one object; a result a line out, in the same order");
+    add_solver(command, options.simulate);
+    const auto hex = [&options](std::int64_t) {
+        options.simulate.numbers = poolhall::protocol::Numbers::kHexFloat;
+    };
+    command->add_flag_function("--hex", hex, "Numbers as C hex-floats, bit for bit");
+    command
+        ->add_option("--sample", options.simulate.sample_hz, "Adds the balls' places, HZ a second")
+        ->check(fault_of_rate)
+        ->type_name("HZ");
+    command->add_option("FILE", options.file, "- for standard input")->capture_default_str();
+}
+
+Status run(const CLI::App& app, const Options& options) {
+    if (app.got_subcommand("bench")) return bench(options.csv, std::cout, std::cerr);
+    if (app.got_subcommand("hash")) return print_hashes(std::cout);
+    return simulate_file(options.simulate, options.file, std::cout, std::cerr);
+}
+
+int run_program(int argc, char** argv) {
+    Options options;
+    CLI::App app(
+        "Simulates scenes, and measures what that costs.\n"
+        "Exit status: 0 fine, 1 a benchmark's answer is wrong, 2 bad input.",
+        "poolhall-lab");
+    app.require_subcommand(1);
+    add_simulate(app, options);
+    CLI::App* bench =
+        app.add_subcommand("bench", "Shots a second, ns an event, ns a ball-step, beside others");
+    bench->add_option("--csv", options.csv, "Also write the table as CSV")->type_name("FILE");
+    app.add_subcommand("hash", "The hash of each corpus of shots: the same on every machine");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(Status::kBadInput);
+    }
+    const Status status = run(app, options);
+    if (std::cout.flush()) return static_cast<int>(status);
+    if (status != Status::kBadInput)
+        std::cerr << "poolhall-lab: standard output cannot be written\n";
+    return static_cast<int>(Status::kBadInput);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::ios::sync_with_stdio(false);
+    // A reader that has gone shows as an error of the stream, which is said.
+    std::signal(SIGPIPE, SIG_IGN);
+    try {
+        return run_program(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "poolhall-lab: " << error.what() << '\n';
+        return static_cast<int>(Status::kBadInput);
+    }
+}

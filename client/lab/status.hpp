@@ -1,0 +1,12 @@
+#pragma once
+
+namespace poolhall::lab {
+
+/// What a command ends with; the program's exit status.
+enum class Status : int {
+    kGood = 0,
+    kWrong = 1,     ///< a benchmark whose answer is wrong
+    kBadInput = 2,  ///< or nothing could be read or written
+};
+
+}  // namespace poolhall::lab
