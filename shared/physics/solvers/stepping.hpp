@@ -167,8 +167,11 @@ class SteppingSolver {
 
     void aim_chords(double begin, double end) {
         tick_end_ = end;
-        for (std::size_t i = 0; i < balls_.size(); ++i)
+        for (std::size_t i = 0; i < balls_.size(); ++i) {
             aim_chord(i, begin);
+            // Friction may have turned two balls towards each other again.
+            if constexpr (Set::template kHas<Sliding>) balls_[i].partner = MovingBall::kNobody;
+        }
     }
 
     /// Takes the chord of ball i from where it is on its arc at `from` to the tick's end, or
@@ -238,6 +241,7 @@ class SteppingSolver {
 
     void find_transitions(double time) {
         for (std::size_t i = 0; i < balls_.size(); ++i) {
+            if (!in_play(balls_[i])) continue;
             const double t = std::max(work_.arcs[i].until - now_, 0.0);
             if (t <= time && is_first(t)) work_.transitions.push_back(i);
         }
