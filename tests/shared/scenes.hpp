@@ -1,6 +1,7 @@
 #pragma once
 
 #include "client/lab/scene_makers.hpp"
+#include "tests/shared/random.hpp"
 
 namespace poolhall::testing {
 
