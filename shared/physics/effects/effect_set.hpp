@@ -50,6 +50,18 @@ class EffectSet {
     std::tuple<Effect...> effects_;
 };
 
+template <class Effects>
+struct SetOfTuple;
+
+template <class... Effect>
+struct SetOfTuple<std::tuple<Effect...>> {
+    using Type = EffectSet<Effect...>;
+};
+
+/// The set of the effects of a tuple.
+template <class Effects>
+using SetOf = typename SetOfTuple<Effects>::Type;
+
 /// An effect that takes balls that come to a place: first_capture(r, v, time) and at(r).
 template <class Effect>
 concept PocketEffect = requires(const Effect& effect, Vec2 r) {

@@ -64,8 +64,7 @@ struct SlideRollSpinMouths : EffectSet<Sliding, Rolling, SpinDecay, PoolMouths> 
     static constexpr std::string_view kName = "slide_roll_spin_mouths";
 };
 
-struct Everything : EffectSet<LinearDrag, Sliding, Rolling, SpinDecay, Rails, EndGamePockets,
-                              PocketCircles, PoolMouths, Airborne> {
+struct Everything : SetOf<AllEffects> {
     using EffectSet::EffectSet;
     static constexpr std::string_view kName = "everything";
 };

@@ -1,6 +1,7 @@
 // Slide, roll and rest of one ball against closed forms, for all solvers that know the cloth.
 
 #include "tests/shared/quad.hpp"
+#include "tests/shared/random.hpp"
 #include "tests/shared/reference.hpp"
 #include "tests/shared/scenes.hpp"
 #include "tests/shared/solvers.hpp"

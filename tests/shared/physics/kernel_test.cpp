@@ -1,5 +1,7 @@
 #include "shared/physics/simulate.hpp"
+#include "tests/shared/random.hpp"
 #include "tests/shared/scenes.hpp"
+#include "tests/shared/solvers.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -7,18 +9,54 @@
 namespace poolhall {
 namespace {
 
-/// A scene for each way of calling for effects or not.
-std::vector<Scene> scenes_of_every_kind() {
-    testing::Random random(5);
+/// A scene of the original game for each way of calling for its effects or not.
+std::vector<Scene> drag_scenes(testing::Random& random) {
     std::vector<Scene> scenes;
-    for (int kind = 0; kind < 16; ++kind) {
+    for (int kind = 0; kind < 8; ++kind) {
         Scene scene = testing::random_scene(random, 6, 4);
         if ((kind & 1) != 0) scene.effects.linear_drag.reset();
         if ((kind & 2) != 0) scene.table.rails = false;
         if ((kind & 4) != 0 && scene.table.rails) scene.table.pockets = PocketModel::kEndGame;
-        if ((kind & 8) != 0) scene.solver.kind = SolverKind::kOverlap;
-        scene.limits.time = 10;
         scenes.push_back(scene);
+    }
+    return scenes;
+}
+
+/// A scene of real pool for each way of calling for the effects of its cloth, and some with
+/// pockets, other rails, balls in the air.
+std::vector<Scene> cloth_scenes(testing::Random& random) {
+    std::vector<Scene> scenes;
+    for (int kind = 0; kind < 32; ++kind) {
+        Scene scene = testing::random_scene(random, 6, 4);
+        scene.effects = (kind & 4) != 0 ? testing::cloth_effects() : testing::pool_effects();
+        if ((kind & 1) != 0) scene.effects.sliding.reset();
+        if ((kind & 2) != 0) scene.effects.rolling.reset();
+        if ((kind & 8) != 0) {
+            scene.table.pockets = PocketModel::kCircles;
+            scene.table.circles = {{"NE", {1.27, 0.635}, 0.1}, {"S", {0, -0.635}, 0.1}};
+        }
+        if ((kind & 16) != 0) scene.table.pockets = PocketModel::kPool;
+        if (kind == 0) scene.effects.airborne = AirborneSpec{};
+        scene.strike->offset = 0.5 * random.direction();
+        scenes.push_back(scene);
+    }
+    return scenes;
+}
+
+std::vector<Scene> scenes_of_every_kind() {
+    testing::Random random(5);
+    std::vector<Scene> scenes;
+    for (const std::vector<Scene>& some : {drag_scenes(random), cloth_scenes(random)}) {
+        for (Scene scene : some) {
+            scene.limits = {10, 2000};
+            for (const SolverKind solver : testing::kAllSolvers) {
+                scene.solver.kind = solver;
+                // There the kernel everything does not look for the mouths' holes yet.
+                const bool misses_holes =
+                    solver == SolverKind::kEvent && scene.table.pockets == PocketModel::kPool;
+                if (!misses_holes && !check(scene)) scenes.push_back(scene);
+            }
+        }
     }
     return scenes;
 }
@@ -38,7 +76,7 @@ TEST(Kernels, EveryOneThatCoversASceneGivesTheSameTrace) {
             compared += name != chosen.kernel;
         }
     }
-    EXPECT_GT(compared, 10);
+    EXPECT_GT(compared, 200);
 }
 
 TEST(Kernels, TheChosenOneIsTheFirstOfTheListThatCoversTheScene) {
@@ -79,20 +117,21 @@ TEST(Kernels, AnEffectWithAZeroCoefficientIsAbsent) {
         {"spin_decay", [](Effects& e) { e.spin_decay = SpinDecaySpec{0}; }},
         {"restitution",
          [](Effects& e) {
-             e.ball_ball = {BallBallModel::kRestitution, 1};
+             e.ball_ball.model = BallBallModel::kRestitution;
+             e.ball_ball.e = 1;
          }},
         {"friction",
          [](Effects& e) {
-             e.ball_ball = {BallBallModel::kFriction, 1, 0};
+             e.ball_ball.model = BallBallModel::kFriction;
+             e.ball_ball.e = 1;
+             e.ball_ball.mu = 0;
          }},
         {"rail",
          [](Effects& e) {
              e.rail = {RailModel::kRestitution, 1};
          }},
     };
-    for (const SolverKind solver :
-         {SolverKind::kEuler, SolverKind::kOverlap, SolverKind::kSemiImplicit,
-          SolverKind::kExactArc, SolverKind::kEvent}) {
+    for (const SolverKind solver : testing::kAllSolvers) {
         for (const AbsentAndZero& one : cases) {
             SCOPED_TRACE(std::string(one.name) + " by " + std::string(name(solver)));
             testing::Random random(6);
