@@ -51,6 +51,7 @@ class PoolMouths {
 
     /// The first capture of a ball that moves from r with velocity v, within `time` s.
     [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
+        if (!active_) return std::nullopt;
         std::optional<Capture> first;
         for (const Hole& hole : table_.holes()) {
             const Vec2 c = r - hole.centre;
