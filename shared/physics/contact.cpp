@@ -323,11 +323,24 @@ void ContactSolver::add_friction(std::size_t contact, double impulse,
     ImpactBall a = ball_of(c.a);
     ImpactBall b = ball_of(c.b);
     apply_friction(friction_, unit_mass_ * impulse, normals_[contact], a, b);
-    const DoubleDouble once{1};
-    add(changes_[c.a].v, once, a.v - velocity(balls[c.a]));
-    add(changes_[c.b].v, once, b.v - velocity(balls[c.b]));
-    add(changes_[c.a].w, once, a.w - balls[c.a].w);
-    add(changes_[c.b].w, once, b.w - balls[c.b].w);
+    // Each friction ends its own slip at most; a ball that has several would overshoot.
+    const DoubleDouble share{1 / static_cast<double>(most_impacts_of(c))};
+    add(changes_[c.a].v, share, a.v - velocity(balls[c.a]));
+    add(changes_[c.b].v, share, b.v - velocity(balls[c.b]));
+    add(changes_[c.a].w, share, a.w - balls[c.a].w);
+    add(changes_[c.b].w, share, b.w - balls[c.b].w);
+}
+
+/// In how many impacts with balls the busier of the contact's two balls takes part.
+int ContactSolver::most_impacts_of(const Contact& contact) const {
+    int of_a = 0;
+    int of_b = 0;
+    for (const Contact& other : approaching_) {
+        if (other.kind != Contact::Kind::kBalls) continue;
+        of_a += direction_on(other, contact.a) != 0 ? 1 : 0;
+        of_b += direction_on(other, contact.b) != 0 ? 1 : 0;
+    }
+    return std::max(of_a, of_b);
 }
 
 void ContactSolver::apply_changes(double rounding, std::span<MovingBall> balls) {

@@ -95,6 +95,7 @@ class ContactSolver {
     void part_pressed(std::span<MovingBall> balls);
     void add_impulse(std::size_t contact, DoubleDouble size, std::span<const MovingBall> balls);
     void add_friction(std::size_t contact, double impulse, std::span<const MovingBall> balls);
+    [[nodiscard]] int most_impacts_of(const Contact& contact) const;
     void apply_changes(double rounding, std::span<MovingBall> balls);
 
     struct Change {

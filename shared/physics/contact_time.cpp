@@ -187,6 +187,8 @@ double first_contact_curved(const RelativeArc<Vec>& arc, double distance, double
         double gap_high = gap.at(high);
         if (turns && slope_begin < 0 && std::abs(gap_high) <= gap.uncertainty(high))
             gap_high = gap.precise_at(high);
+        // Touching to within rounding, they opened too little to show and close again.
+        if (turns && slope_begin >= 0 && gap_high <= 0) return high;
         if (gap_low > 0 && gap_high <= 0 && slope_begin < 0)
             return root_in({low, high, gap_low, gap_high});
         low = high;

@@ -98,8 +98,8 @@ class OwnEventSearch {
         }
         if constexpr (Set::template kHas<PocketCircles>) {
             const auto& pockets = set_.template effect<PocketCircles>();
-            if (!pockets.may_reach(reach_)) return;
-            for (std::size_t i = 0; i < pockets.circles().size(); ++i) {
+            for (std::size_t i = 0; pockets.may_reach(reach_) && i < pockets.circles().size();
+                 ++i) {
                 const PocketCircle& circle = pockets.circles()[i];
                 take({time_to_come_within(circle.centre, circle.radius), static_cast<Pocket>(i)});
             }
