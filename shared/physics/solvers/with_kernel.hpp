@@ -13,9 +13,10 @@ namespace poolhall {
 template <class Solve>
 void with_kernel(std::size_t index, const ShotRun& run, Solve solve) {
     [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-        ((kIndex == index &&
-          (solve(std::tuple_element_t<kIndex, KernelList>(run.scene())), true)) ||
-         ...);
+        [[maybe_unused]] const bool found =
+            ((kIndex == index &&
+              (solve(std::tuple_element_t<kIndex, KernelList>(run.scene())), true)) ||
+             ...);
     }
     (std::make_index_sequence<std::tuple_size_v<KernelList>>{});
 }
