@@ -95,24 +95,22 @@ void ShotRun::record_rail(double t, std::size_t ball, Rail rail, const MovingBal
 }
 
 void ShotRun::capture(double t, std::size_t ball, Pocket pocket) {
-    MovingBall& moving = balls()[ball];
-    const MovingBall before = moving;
-    moving.motion = Motion::kPocketed;
-    moving.v = {};
-    moving.w = {};
-    moving.climb = 0;
     trace_.balls[ball].pocket = pocket;
-    add_event(t, EventKind::kBallPocket, ball, before).pocket = pocket;
+    take_away(t, ball, Motion::kPocketed, EventKind::kBallPocket).pocket = pocket;
 }
 
 void ShotRun::lose(double t, std::size_t ball) {
+    take_away(t, ball, Motion::kOffTable, EventKind::kOffTable);
+}
+
+ShotEvent& ShotRun::take_away(double t, std::size_t ball, Motion to, EventKind kind) {
     MovingBall& moving = balls()[ball];
     const MovingBall before = moving;
-    moving.motion = Motion::kOffTable;
+    moving.motion = to;
     moving.v = {};
     moving.w = {};
     moving.climb = 0;
-    add_event(t, EventKind::kOffTable, ball, before);
+    return add_event(t, kind, ball, before);
 }
 
 void ShotRun::sort_events_from(std::size_t first) {
@@ -121,17 +119,6 @@ void ShotRun::sort_events_from(std::size_t first) {
     const auto earlier = [](const ShotEvent& a, const ShotEvent& b) { return a.t < b.t; };
     for (auto event = begin; event != trace_.events.end(); ++event)
         std::rotate(std::upper_bound(begin, event, *event, earlier), event, event + 1);
-}
-
-void ShotRun::sample_between(double from, double to) {
-    while (next_sample_ < to) {
-        const double passed = next_sample_ - from;
-        sample([&](std::size_t i) {
-            const MovingBall& ball = balls()[i];
-            const Vec2 r = ball.r + passed * ball.v;
-            return Vec3{r.x, r.y, ball.height};
-        });
-    }
 }
 
 void ShotRun::sample_at(double t) {

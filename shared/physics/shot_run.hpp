@@ -86,9 +86,6 @@ class ShotRun {
         next_sample_ = static_cast<double>(++samples_) / trace_.sample_hz;
     }
 
-    /// Writes the samples due in [from, to) while the balls move uniformly, their places being
-    /// those at `from`.
-    void sample_between(double from, double to);
     /// Writes the samples due up to t, the balls' places being those at t.
     void sample_at(double t);
 
@@ -98,6 +95,8 @@ class ShotRun {
   private:
     void strike();
     [[nodiscard]] static BallState state_of(const MovingBall& ball);
+    /// Ends the ball's part in the shot.
+    ShotEvent& take_away(double t, std::size_t ball, Motion to, EventKind kind);
     ShotEvent& add_event(double t, EventKind kind, std::size_t ball, const MovingBall& before);
 
     const Scene& scene_;

@@ -68,11 +68,7 @@ class Airborne {
         const double speed = norm(slip);
         if (speed == 0) return;
         const double friction = std::min(mu_ * (impact + ball.climb), 2 * speed / 7);
-        const Vec2 impulse = (friction / speed) * slip;
-        ball.v = ball.v - impulse;
-        const double turn = 5 / (2 * ball.radius);
-        ball.w.x = ball.w.x - turn * impulse.y;
-        ball.w.y = ball.w.y + turn * impulse.x;
+        Sliding::rub(ball, (friction / speed) * slip);
     }
 
   private:

@@ -46,6 +46,15 @@ class Sliding {
         return {-rate * slip_direction.y, rate * slip_direction.x};
     }
 
+    /// Takes an impulse of the cloth, per mass of the ball (m/s), from its velocity; the spin
+    /// changes with it.
+    static void rub(MovingBall& ball, Vec2 impulse) {
+        ball.v = ball.v - impulse;
+        const double turn = 5 / (2 * ball.radius);
+        ball.w.x = ball.w.x - turn * impulse.y;
+        ball.w.y = ball.w.y + turn * impulse.x;
+    }
+
     /// An explicit Euler step of dt (s) of a ball that slips. The slip never turns round: where it
     /// would, the ball rolls from here on, and the step says true.
     [[nodiscard]] bool kick(MovingBall& ball, double dt) const {
@@ -57,10 +66,7 @@ class Sliding {
             return true;
         }
         const Vec2 impulse = (lost / speed) * u;
-        ball.v = ball.v - impulse;
-        const double turn = 5 / (2 * ball.radius);
-        ball.w.x = ball.w.x - turn * impulse.y;
-        ball.w.y = ball.w.y + turn * impulse.x;
+        rub(ball, impulse);
         return false;
     }
 
