@@ -126,6 +126,18 @@ void ShotRun::sample_at(double t) {
         sample([&](std::size_t i) { return place(balls()[i]); });
 }
 
+/// The last sample shows the end: the first that is due at or after it.
+void ShotRun::end_samples() {
+    const auto due_before_end = [this](std::uint64_t sample) {
+        return static_cast<double>(sample) / trace_.sample_hz < trace_.duration;
+    };
+    if (samples_ == 0 || due_before_end(samples_ - 1)) sample_at(next_sample_);
+    // A tick may go on after the last event in it.
+    while (samples_ > 1 && !due_before_end(samples_ - 2))
+        --samples_;
+    trace_.samples.resize(samples_ * balls().size());
+}
+
 void ShotRun::finish(Outcome outcome, double t, std::uint64_t ticks) {
     trace_.outcome = outcome;
     trace_.ticks = ticks;
@@ -136,11 +148,7 @@ void ShotRun::finish(Outcome outcome, double t, std::uint64_t ticks) {
         trace_.balls[i].motion = balls()[i].motion;
         trace_.balls[i].state = state_of(balls()[i]);
     }
-    // The last sample shows the end: the first that is due at or after it.
-    if (trace_.sample_hz > 0 &&
-        (samples_ == 0 || static_cast<double>(samples_ - 1) / trace_.sample_hz < trace_.duration)) {
-        sample_at(next_sample_);
-    }
+    if (trace_.sample_hz > 0) end_samples();
     trace_.hash = hash_of(trace_);
 }
 

@@ -94,6 +94,7 @@ class ShotRun {
 
   private:
     void strike();
+    void end_samples();
     [[nodiscard]] static BallState state_of(const MovingBall& ball);
     /// Ends the ball's part in the shot.
     ShotEvent& take_away(double t, std::size_t ball, Motion to, EventKind kind);

@@ -75,11 +75,11 @@ class EventSolver {
         while (true) {
             const Due due = next_due();
             const double end = limits.time - epoch_;
-            sample_before(std::min(due.t, end));
             if (due.t == kNever && !run_.any_moves()) {
                 run_.sample_at(time());
                 return Outcome::kRest;
             }
+            sample_before(std::min(due.t, end));
             if (run_.event_limit_reached()) return stop_at(now_, Outcome::kEventLimit);
             if (due.t > end) return stop_at(end, Outcome::kTimeLimit);
             at_once = due.t > now_ ? 0 : at_once + 1;
