@@ -1,5 +1,6 @@
 #include "shared/game/end_game.hpp"
 
+#include "shared/game/resting.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>
@@ -61,60 +62,74 @@ std::optional<Illegal> check_shot(const GameState& state, const ShotCommand& com
     return std::nullopt;
 }
 
-/// When the ball went down, if it did.
-std::optional<double> time_pocketed(const ShotTrace& trace, std::optional<BallIndex> ball) {
+/// When the ball left the table in this way, if it did.
+std::optional<double> time_of(const ShotTrace& trace, EventKind kind,
+                              std::optional<BallIndex> ball) {
     for (const ShotEvent& event : trace.events) {
-        if (event.kind == EventKind::kBallPocket && event.balls[0] == ball) return event.t;
+        if (event.kind == kind && event.balls[0] == ball) return event.t;
     }
     return std::nullopt;
 }
 
+/// When the cue ball went down or over a rail, if it did.
+std::optional<double> time_of_scratch(const ShotTrace& trace, BallIndex cue) {
+    const auto down = time_of(trace, EventKind::kBallPocket, cue);
+    return down ? down : time_of(trace, EventKind::kOffTable, cue);
+}
+
 /// The cue ball down loses at once, even if the 8-ball is down already; the 8-ball down wins only
-/// once everything is at rest.
+/// once everything is at rest, or the shot has come to a limit.
 Ruling rule(const GameState& state, const ShotTrace& trace) {
     Ruling ruling;
     ruling.shooter = state.turn;
     ruling.next = opponent(state.turn);
-    if (const auto scratch = time_pocketed(trace, state.cue_ball)) {
+    if (const auto scratch = time_of_scratch(trace, state.cue_ball)) {
         ruling.verdict = Verdict::kScratch;
         ruling.winner = opponent(state.turn);
         ruling.decided_at = *scratch;
         return ruling;
     }
     ruling.decided_at = trace.duration;
-    if (time_pocketed(trace, find_ball(state.scene, kEightBallId))) {
+    if (time_of(trace, EventKind::kBallPocket, find_ball(state.scene, kEightBallId))) {
         ruling.verdict = Verdict::kWon;
         ruling.winner = state.turn;
     }
     return ruling;
 }
 
-/// A free place on the base line, the middle if it is free. One other ball cannot block all three.
-Vec2 respot(const Scene& scene, BallIndex cue) {
+/// A free place on the line across the table at x, the middle if it is free. One other ball cannot
+/// block all three.
+Vec2 free_place(const Scene& scene, std::size_t moved, double x) {
     const double diameter = 2 * scene.ball.radius;
     for (const double y : {0.0, 2 * diameter, -2 * diameter}) {
         const bool free =
             std::none_of(scene.balls.begin(), scene.balls.end(), [&](const SceneBall& ball) {
-                return &ball != &scene.balls[cue.value] &&
-                       norm(xy(ball.state.r) - Vec2{kBaseLineX, y}) < diameter;
+                return &ball != &scene.balls[moved] &&
+                       norm(xy(ball.state.r) - Vec2{x, y}) < diameter;
             });
-        if (free) return {kBaseLineX, y};
+        if (free) return {x, y};
     }
-    return {kBaseLineX, 0};
+    return {x, 0};
 }
 
-/// Leaves the scene as the shot did: sunk balls are off it, but for the cue ball, which returns to
-/// the base line.
+void respot(Scene& scene, std::size_t ball, double x) {
+    set_xy(scene.balls[ball].state.r, free_place(scene, ball, x));
+}
+
+/// Leaves the scene as the shot did, at rest. A sunk 8-ball is off it, and one that jumped over a
+/// rail is back on its spot; the cue ball, gone in either way, returns to the base line.
 void clear_table(Scene& scene, const ShotTrace& trace, BallIndex cue) {
-    for (std::size_t i = 0; i < trace.balls.size(); ++i)
-        scene.balls[i].state = trace.balls[i].state;
+    lay_at_rest(scene, trace);
     for (std::size_t i = trace.balls.size(); i-- > 0;) {
-        if (i != cue.value && trace.balls[i].motion == Motion::kPocketed) {
+        if (i == cue.value) continue;
+        if (trace.balls[i].motion == Motion::kOffTable) respot(scene, i, kFootSpotX);
+        if (trace.balls[i].motion == Motion::kPocketed)
             scene.balls.erase(scene.balls.begin() + static_cast<std::ptrdiff_t>(i));
-        }
     }
-    if (trace.balls[cue.value].motion == Motion::kPocketed)
-        set_xy(scene.balls[cue.value].state.r, respot(scene, cue));
+    const Motion left = trace.balls[cue.value].motion;
+    if (left == Motion::kPocketed || left == Motion::kOffTable)
+        respot(scene, cue.value, kBaseLineX);
+    part_overlapping(scene);
 }
 
 ShotOutcome play(const GameState& state, const ShotCommand& command) {

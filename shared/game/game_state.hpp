@@ -38,7 +38,7 @@ struct GameState {
 enum class Verdict : std::uint8_t {
     kTurnPasses,
     kWon,      ///< the shooter wins
-    kScratch,  ///< the cue ball went down: the shooter loses
+    kScratch,  ///< the cue ball went down, or over a rail: the shooter loses
 };
 
 /// What the rules say of a shot.

@@ -24,6 +24,7 @@ enum class Illegal : std::uint8_t {
 /// A game's rules as pure functions; nothing here keeps state. One value of this a game.
 struct Ruleset {
     std::string_view name;  ///< "end_game"
+    /// With the game's own physics; settings.hpp begins games with others.
     GameState (*new_game)(Seat first);
     /// Moves the cue ball to `position` (m), where and when the rules allow it.
     std::optional<Illegal> (*place_cue_ball)(GameState& state, Vec2 position);
@@ -34,7 +35,8 @@ struct Ruleset {
     Vec2 (*default_aim)(const GameState& state);
     /// Refuses without a change, or nothing.
     std::optional<Illegal> (*check_shot)(const GameState& state, const ShotCommand& command);
-    /// Simulates the shot, to rest, and rules on it. The command must have passed check_shot.
+    /// Simulates the shot, to rest or to a limit of the scene, and rules on it; the state after it
+    /// is at rest in either case. The command must have passed check_shot.
     ShotOutcome (*play)(const GameState& state, const ShotCommand& command);
 };
 

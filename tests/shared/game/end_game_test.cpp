@@ -214,6 +214,79 @@ TEST(EndGame, GamesOfRandomShotsEndAndEveryStateIsASceneThatPassesItsCheck) {
     }
 }
 
+/// A game in which balls can fly, on cloth.
+GameState flying_game() {
+    GameState state = new_game();
+    state.scene.effects = {};
+    state.scene.effects.sliding = SlidingSpec{};
+    state.scene.effects.rolling = RollingSpec{};
+    state.scene.effects.airborne = AirborneSpec{};
+    state.scene.solver.kind = SolverKind::kEvent;
+    return state;
+}
+
+TEST(EndGame, ShotThatEndsAtALimitLeavesTheBallsAtRestWhereTheyWere) {
+    GameState state = new_game();
+    for (const Limits limits : {Limits{0.75, 100000}, Limits{600, 3}}) {
+        state.scene.limits = limits;
+        const ShotOutcome outcome = kRules.play(state, {{1, 0.01}});
+        ASSERT_NE(Outcome::kRest, outcome.trace.outcome);
+        EXPECT_EQ(Verdict::kTurnPasses, outcome.ruling.verdict);
+        EXPECT_EQ(outcome.trace.duration, outcome.ruling.decided_at);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const BallState& left = outcome.state.scene.balls[i].state;
+            EXPECT_NE(Vec3{}, outcome.trace.balls[i].state.v);
+            EXPECT_EQ(outcome.trace.balls[i].state.r, left.r);
+            EXPECT_EQ(Vec3{}, left.v);
+        }
+        EXPECT_FALSE(check(outcome.state.scene));
+    }
+}
+
+TEST(EndGame, SpinThatNothingTakesAwayEndsWithTheShot) {
+    GameState state = flying_game();
+    state.scene.effects.ball_ball = {BallBallModel::kFriction, 0.95, 0.05, std::nullopt, 1e-4};
+    const ShotOutcome outcome = kRules.play(state, {{1, 0.03}});
+    EXPECT_NE(0, outcome.trace.balls[0].state.w.z);
+    EXPECT_EQ(Vec3{}, outcome.state.scene.balls[0].state.w);
+}
+
+TEST(EndGame, CueBallOverARailIsAScratch) {
+    GameState state = flying_game();
+    state.scene.balls[0].state = {{0.6, 0.2, 0.3}, {}, {}};
+    const ShotOutcome outcome = kRules.play(state, {{1, 0}});
+    ASSERT_EQ(Motion::kOffTable, outcome.trace.balls[0].motion);
+    EXPECT_EQ(Verdict::kScratch, outcome.ruling.verdict);
+    EXPECT_EQ(Seat{1}, outcome.ruling.winner);
+    EXPECT_LT(outcome.ruling.decided_at, outcome.trace.duration + 1e-12);
+    EXPECT_EQ((Vec3{end_game::kBaseLineX, 0, 0}), outcome.state.scene.balls[0].state.r);
+}
+
+TEST(EndGame, EightBallOverARailReturnsToItsSpotAndTheTurnPasses) {
+    GameState state = flying_game();
+    state.scene.balls[1].state = {{0.6, 0.2, 0.3}, {2, 0, 0}, {}};
+    const ShotOutcome outcome = kRules.play(state, {{-1, 0.02}});
+    ASSERT_EQ(Motion::kOffTable, outcome.trace.balls[1].motion);
+    EXPECT_EQ(Verdict::kTurnPasses, outcome.ruling.verdict);
+    EXPECT_EQ((Vec3{end_game::kFootSpotX, 0, 0}), outcome.state.scene.balls[1].state.r);
+    EXPECT_FALSE(check(outcome.state.scene));
+}
+
+TEST(EndGame, CentreHitsLeaveNoBallInTheAir) {
+    GameState state = flying_game();
+    state.scene.effects.ball_ball = {BallBallModel::kFriction, 0.9, 0.2, std::nullopt, 1e-4};
+    state.scene.effects.rail = {RailModel::kMathavan2010, 0.85, 0.3, 0.036576};
+    testing::Random random(16);
+    for (int shot = 0; shot < 100; ++shot) {
+        const ShotOutcome outcome = kRules.play(state, {random.direction()});
+        for (const ShotEvent& event : outcome.trace.events) {
+            EXPECT_NE(EventKind::kBounce, event.kind);
+            EXPECT_EQ(0, event.after[0].r.z);
+            EXPECT_EQ(0, event.after[0].v.z);
+        }
+    }
+}
+
 TEST(Rulesets, AreFoundByName) {
     EXPECT_EQ(&kEndGameRules, find_ruleset("end_game"));
     EXPECT_EQ(nullptr, find_ruleset("snooker"));

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "shared/physics/scene.hpp"
+#include "shared/physics/trace.hpp"
+
+namespace poolhall {
+
+/// Lays the scene's balls where the shot left them, at rest on the cloth. A shot that ended at a
+/// limit stops there: who is on the way stays where it is then, and so does what flies. Spin that
+/// nothing takes away ends too. The trace must be one of a scene with these balls.
+void lay_at_rest(Scene& scene, const ShotTrace& trace);
+
+/// Parts balls at rest that overlap by more than kTouchTolerance until they touch, so that the
+/// scene passes its check() again; without any it changes nothing. Balls overlap where exact_arc
+/// has let the cloth press them together.
+void part_overlapping(Scene& scene);
+
+}  // namespace poolhall
