@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shared/game/game_state.hpp"
+#include "shared/game/settings.hpp"
 #include "shared/physics/scene.hpp"
 #include "shared/physics/trace.hpp"
 
@@ -29,6 +30,7 @@ struct CreateMatch {
     std::string name;
     std::string game = "end_game";
     Stream stream = Stream::kStates;
+    std::optional<GameSettings> settings{};  ///< absent or empty: the game's own physics
 
     friend bool operator==(const CreateMatch&, const CreateMatch&) = default;
 };

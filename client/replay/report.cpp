@@ -16,6 +16,8 @@ using protocol::shown;
 
 constexpr int kIdWidth = 24;
 constexpr int kNameWidth = 16;
+constexpr int kSolverWidth = 14;
+constexpr int kKernelWidth = 23;
 
 /// An id is shown whole where it is one, so that it can be copied.
 std::string shown_id(const std::string& id) {
@@ -39,6 +41,15 @@ std::string fixed(double number, int digits) {
 std::string direction_text(Vec2 direction) {
     const Vec2 unit = normalized(direction);
     return fixed(unit.x, 4) + "," + fixed(unit.y, 4);
+}
+
+/// "euler:30", or "event", which has no rate.
+std::string solver_text(const SolverSpec& solver) {
+    const std::string kind(name(solver.kind));
+    if (solver.kind == SolverKind::kEvent) return kind;
+    std::array<char, 32> rate{};
+    std::snprintf(rate.data(), rate.size(), ":%g", solver.hz);
+    return kind + rate.data();
 }
 
 }  // namespace
@@ -71,7 +82,8 @@ void ReplayPrinter::print(const protocol::ReplayRecord& record) {
 
 void ReplayPrinter::print_record(const protocol::MatchRecord& match) {
     out_ << "match " << shown_id(match.match) << ", " << shown(match.game) << ", created "
-         << time_text(match.created_ms) << " UTC by " << shown(match.server) << '\n';
+         << time_text(match.created_ms) << " UTC by " << shown(match.server)
+         << (match.settings ? ", with physics of its own\n" : "\n");
 }
 
 void ReplayPrinter::print_record(const protocol::SeatRecord& seat) {
@@ -86,7 +98,8 @@ void ReplayPrinter::print_record(const protocol::GameRecord& game) {
          << "  seat  " << std::left << std::setw(kNameWidth) << "player" << std::setw(16)
          << "direction" << std::right << std::setw(8) << "m/s" << std::setw(9) << "s"
          << std::setw(8) << "events"
-         << "  " << std::left << std::setw(12) << "ruling"
+         << "  " << std::left << std::setw(12) << "ruling" << std::setw(kSolverWidth) << "solver"
+         << std::setw(kKernelWidth) << "kernel"
          << "hash\n";
 }
 
@@ -96,8 +109,9 @@ void ReplayPrinter::print_record(const protocol::ShotRecord& shot) {
          << "  " << std::left << std::setw(kNameWidth) << name_of(shot.seat) << std::setw(16)
          << direction_text(strike.direction) << std::right << std::setw(8) << fixed(strike.speed, 3)
          << std::setw(9) << fixed(shot.duration, 3) << std::setw(8) << shot.event_count << "  "
-         << std::left << std::setw(12) << name(shot.ruling.verdict) << to_hex(shot.final_hash)
-         << '\n';
+         << std::left << std::setw(12) << name(shot.ruling.verdict) << std::setw(kSolverWidth)
+         << solver_text(shot.scene.solver) << std::setw(kKernelWidth) << shown(shot.kernel)
+         << to_hex(shot.final_hash) << '\n';
     if (shot.ruling.winner) out_ << "      won by " << name_of(*shot.ruling.winner) << '\n';
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace poolhall::client {
 
@@ -93,18 +94,23 @@ std::optional<Illegal> follow_placement(const Ruleset& rules, const Scene& playe
 }  // namespace
 
 std::optional<ShotReport> Verifier::follow(const protocol::ReplayRecord& record) {
-    if (const auto* match = std::get_if<protocol::MatchRecord>(&record))
-        rules_ = find_ruleset(match->game);
+    if (const auto* match = std::get_if<protocol::MatchRecord>(&record)) begin_match(*match);
     if (const auto* game = std::get_if<protocol::GameRecord>(&record)) begin_game(*game);
     const auto* shot = std::get_if<ShotRecord>(&record);
     if (shot == nullptr) return std::nullopt;
     return check(*shot);
 }
 
+void Verifier::begin_match(const protocol::MatchRecord& match) {
+    rules_ = find_ruleset(match.game);
+    settings_ = match.settings.value_or(GameSettings{});
+    if (rules_ != nullptr) settings_fault_ = poolhall::check(*rules_, settings_);
+}
+
 void Verifier::begin_game(const protocol::GameRecord& game) {
     game_number_ = game.game_number;
     game_shots_ = 0;
-    if (rules_ != nullptr) state_ = rules_->new_game(game.first);
+    if (rules_ != nullptr) state_ = new_game(*rules_, game.first, settings_);
 }
 
 ShotReport Verifier::check(const ShotRecord& shot) {
@@ -128,6 +134,9 @@ ShotReport Verifier::check(const ShotRecord& shot) {
 }
 
 void Verifier::check_rules(const ShotRecord& shot, Divergences& found) {
+    if (const auto fault = std::exchange(settings_fault_, std::nullopt))
+        found.push_back("the match's settings cannot be played: " + fault->pointer + " " +
+                        fault->reason);
     check_chain(shot, found);
     const GameState before = state_before(shot);
     const ShotOutcome outcome = rules_->play(before, {shot.scene.strike->direction});

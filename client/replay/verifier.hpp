@@ -2,6 +2,7 @@
 
 #include "protocol/replay/record.hpp"
 #include "shared/game/ruleset.hpp"
+#include "shared/game/settings.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -35,6 +36,7 @@ class Verifier {
   private:
     using Divergences = std::vector<std::string>;
 
+    void begin_match(const protocol::MatchRecord& match);
     void begin_game(const protocol::GameRecord& game);
     ShotReport check(const protocol::ShotRecord& shot);
     void check_rules(const protocol::ShotRecord& shot, Divergences& found);
@@ -42,10 +44,12 @@ class Verifier {
     [[nodiscard]] GameState state_before(const protocol::ShotRecord& shot) const;
 
     const Ruleset* rules_ = nullptr;
-    std::uint32_t shots_ = 0;         ///< so far in the match
-    std::uint32_t game_number_ = 0;   ///< of the game that is played
-    std::uint32_t game_shots_ = 0;    ///< so far in this game
-    std::optional<GameState> state_;  ///< what the records so far lead to
+    GameSettings settings_;                     ///< of the match
+    std::optional<SceneError> settings_fault_;  ///< why no server can have taken them
+    std::uint32_t shots_ = 0;                   ///< so far in the match
+    std::uint32_t game_number_ = 0;             ///< of the game that is played
+    std::uint32_t game_shots_ = 0;              ///< so far in this game
+    std::optional<GameState> state_;            ///< what the records so far lead to
 };
 
 }  // namespace poolhall::client

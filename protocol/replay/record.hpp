@@ -1,9 +1,11 @@
 #pragma once
 
 #include "shared/game/game_state.hpp"
+#include "shared/game/settings.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -20,10 +22,11 @@ inline constexpr std::size_t kMaxEventTimes = 10000;
 /// The first record of a match.
 struct MatchRecord {
     static constexpr std::string_view kKind = "match";
-    std::string match;            ///< id: 1 to 64 of A-Z a-z 0-9 _ -
-    std::string game;             ///< ruleset
-    std::string server;           ///< program and version that wrote it
-    std::int64_t created_ms = 0;  ///< Unix time, ms
+    std::string match;                       ///< id: 1 to 64 of A-Z a-z 0-9 _ -
+    std::string game;                        ///< ruleset
+    std::string server;                      ///< program and version that wrote it
+    std::int64_t created_ms = 0;             ///< Unix time, ms
+    std::optional<GameSettings> settings{};  ///< absent: every game is played with its own physics
 };
 
 /// A seat was taken or left (empty name).

@@ -2,6 +2,7 @@
 
 #include "protocol/replay/record.hpp"
 #include "protocol/wire/scene_fields.hpp"
+#include "protocol/wire/settings_fields.hpp"
 #include "protocol/wire/shot_fields.hpp"
 
 #include <cmath>
@@ -51,6 +52,7 @@ inline constexpr auto kFields<MatchRecord> = std::tuple{
     field("game", &MatchRecord::game, kShortText),
     field("server", &MatchRecord::server, kShortText),
     field("created_ms", &MatchRecord::created_ms, Count{}),
+    field("settings", &MatchRecord::settings),
 };
 
 template <>

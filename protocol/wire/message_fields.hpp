@@ -2,6 +2,7 @@
 
 #include "protocol/wire/codecs.hpp"
 #include "protocol/wire/scene_fields.hpp"
+#include "protocol/wire/settings_fields.hpp"
 #include "protocol/wire/shot_fields.hpp"
 
 #include <tuple>
@@ -20,6 +21,7 @@ inline constexpr auto kFields<CreateMatch> = std::tuple{
     field("name", &CreateMatch::name, PersonName{}),
     field("game", &CreateMatch::game, Text{1, kMaxGameBytes}).or_default(),
     field("stream", &CreateMatch::stream).or_default(),
+    field("settings", &CreateMatch::settings),
 };
 
 template <>

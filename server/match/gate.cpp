@@ -135,6 +135,14 @@ struct Checks {
 
 }  // namespace
 
+std::optional<Refusal> check(const CreateMatch& command) {
+    const Ruleset* rules = find_ruleset(command.game);
+    if (!rules) return refuse(RejectCode::kUnknownGame, "There is no game of this name.");
+    const auto fault = poolhall::check(*rules, command.settings.value_or(GameSettings{}));
+    if (!fault) return {};
+    return refuse(RejectCode::kBadField, "field /settings" + fault->pointer + " " + fault->reason);
+}
+
 std::optional<Refusal> check(const Match& match, MemberId member, const ClientBody& command,
                              std::uint32_t max_spectators) {
     return std::visit(Checks{match, member, max_spectators}, command);

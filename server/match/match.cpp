@@ -15,7 +15,7 @@ Match::Match(MatchSpec spec) : spec_(std::move(spec)) {
 
 void Match::begin_game(Seat first) {
     first_ = first;
-    game_ = rules().new_game(first);
+    game_ = new_game(rules(), first, settings());
     aim_ = rules().default_aim(game_);
     rematch_ = {};
     ruling_.reset();

@@ -4,6 +4,7 @@
 #include "server/match/playout.hpp"
 #include "server/match/secret.hpp"
 #include "shared/game/ruleset.hpp"
+#include "shared/game/settings.hpp"
 
 #include <array>
 #include <cstdint>
@@ -31,7 +32,8 @@ struct MatchSpec {
     std::string id;
     std::string code;
     const Ruleset* rules = nullptr;
-    Seat first;  ///< breaks in the first game
+    Seat first;               ///< breaks in the first game
+    GameSettings settings{};  ///< of all its games; must have passed the rules' check()
 };
 
 /// One table: who sits at it, who watches, and the game. Sole owner of all that.
@@ -47,6 +49,8 @@ class Match {
     [[nodiscard]] const std::string& code() const { return spec_.code; }
 
     [[nodiscard]] const Ruleset& rules() const { return *spec_.rules; }
+
+    [[nodiscard]] const GameSettings& settings() const { return spec_.settings; }
 
     // ---- people
     [[nodiscard]] std::optional<Seat> open_seat() const;

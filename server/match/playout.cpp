@@ -16,8 +16,12 @@ Playout::Playout(std::uint32_t shot, ShotOutcome outcome)
 }
 
 std::uint32_t Playout::last_tick() const {
-    const std::size_t samples = outcome_.trace.sample_count();
-    return samples == 0 ? 0 : static_cast<std::uint32_t>(samples - 1);
+    return static_cast<std::uint32_t>(std::max<std::size_t>(outcome_.trace.sample_count(), 2) - 1);
+}
+
+Vec2 Playout::place(std::size_t ball, std::uint32_t tick) const {
+    const std::size_t last = outcome_.trace.sample_count() - 1;
+    return xy(outcome_.trace.sample(std::min<std::size_t>(tick, last), ball));
 }
 
 Frame Playout::advance(std::uint32_t tick) {
@@ -25,8 +29,8 @@ Frame Playout::advance(std::uint32_t tick) {
     const ShotTrace& trace = outcome_.trace;
     Frame frame{shot_, tick, {}, {}};
     for (std::size_t ball = 0; ball < trace.balls.size(); ++ball) {
-        const Vec2 r = xy(trace.sample(tick, ball));
-        if (r != xy(trace.sample(tick_, ball)))
+        const Vec2 r = place(ball, tick);
+        if (r != place(ball, tick_))
             frame.balls.push_back({BallIndex{static_cast<std::uint16_t>(ball)}, r});
     }
     const double until = static_cast<double>(tick) / trace.sample_hz;
@@ -40,7 +44,7 @@ Frame Playout::advance(std::uint32_t tick) {
 protocol::LiveShot Playout::live() const {
     protocol::LiveShot live{shot_, tick_, {}};
     for (std::size_t ball = 0; ball < outcome_.trace.balls.size(); ++ball)
-        live.balls.push_back(xy(outcome_.trace.sample(tick_, ball)));
+        live.balls.push_back(place(ball, tick_));
     return live;
 }
 

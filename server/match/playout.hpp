@@ -21,6 +21,7 @@ class Playout {
 
     [[nodiscard]] bool finished() const { return tick_ == last_tick(); }
 
+    /// That of the last sample; 1 for a shot that is over at once, so that its events are shown.
     [[nodiscard]] std::uint32_t last_tick() const;
     /// Where the balls are now, for those who come late.
     [[nodiscard]] protocol::LiveShot live() const;
@@ -30,6 +31,9 @@ class Playout {
     [[nodiscard]] const ShotOutcome& outcome() const { return outcome_; }
 
   private:
+    /// Where the ball is at the tick, m.
+    [[nodiscard]] Vec2 place(std::size_t ball, std::uint32_t tick) const;
+
     std::uint32_t shot_;
     std::uint32_t tick_ = 0;
     std::size_t next_event_ = 0;

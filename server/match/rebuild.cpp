@@ -26,13 +26,16 @@ class Rebuilder {
         if (rules_) return "a second match record";
         rules_ = find_ruleset(record.game);
         if (!rules_) return "the game '" + record.game + "' is unknown";
+        settings_ = record.settings.value_or(GameSettings{});
+        if (const auto fault = check(*rules_, settings_))
+            return "its settings' " + fault->pointer + " " + fault->reason;
         return {};
     }
 
     Fault operator()(const GameRecord& record) {
         if (!rules_) return "a game before the match record";
         if (!match_) {
-            match_.emplace(MatchSpec{stored_.id, stored_.code, rules_, record.first});
+            match_.emplace(MatchSpec{stored_.id, stored_.code, rules_, record.first, settings_});
             return {};
         }
         if (match_->phase() != protocol::Phase::kOver || record.first != match_->next_first())
@@ -89,6 +92,7 @@ class Rebuilder {
 
     const StoredMatch& stored_;
     const Ruleset* rules_ = nullptr;
+    GameSettings settings_;
     std::optional<Match> match_;
 };
 

@@ -65,9 +65,7 @@ void Lobby::enter(const std::string& code, Request request) {
 }
 
 void Lobby::create(const protocol::CreateMatch& command, Request request) {
-    const Ruleset* rules = find_ruleset(command.game);
-    if (!rules)
-        return reject(request, {RejectCode::kUnknownGame, "There is no game of this name."});
+    if (auto refusal = check(command)) return reject(request, std::move(*refusal));
     const std::lock_guard lock(mutex_);
     if (closed_)
         return reject(request, {RejectCode::kShuttingDown, "The server is shutting down."});
@@ -78,7 +76,9 @@ void Lobby::create(const protocol::CreateMatch& command, Request request) {
     while (rooms_.contains(code))
         code = new_join_code();
     // Under the lock, so that nobody reaches the room before its creator.
-    add(Match({new_match_id(), std::move(code), rules, Seat{0}}))->submit(std::move(request));
+    add(Match({new_match_id(), std::move(code), find_ruleset(command.game), Seat{0},
+               command.settings.value_or(GameSettings{})}))
+        ->submit(std::move(request));
 }
 
 std::shared_ptr<Room> Lobby::find(const std::string& code) const {

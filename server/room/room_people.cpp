@@ -20,8 +20,9 @@ struct Room::Admission {
 };
 
 void Room::on(const Request& request, const protocol::CreateMatch& command) {
-    const protocol::MatchRecord record{match_.id(), std::string(match_.rules().name),
-                                       std::string(kServerName), unix_ms()};
+    protocol::MatchRecord record{match_.id(), std::string(match_.rules().name),
+                                 std::string(kServerName), unix_ms()};
+    if (match_.settings() != GameSettings{}) record.settings = match_.settings();
     const protocol::GameRecord game{match_.game_number(), match_.game().turn};
     admit(request, {Seat{0},
                     command.name,

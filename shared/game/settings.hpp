@@ -22,7 +22,7 @@ inline constexpr double kLeastGameDrag = 0.1;        ///< 1/s
 inline constexpr double kLeastGameStopSpeed = 1e-3;  ///< m/s
 inline constexpr double kMaxGameStopSpeed = 0.5;     ///< m/s
 /// Where a shot of a game with settings ends at the latest: what it holds can be sent and watched.
-inline constexpr Limits kGameLimits{120, 1000};
+inline constexpr Limits kGameLimits{120, 500};
 
 /// The first thing that makes the settings unfit for a game by these rules: what no scene may have,
 /// balls that would not come to rest, too many ticks. The pointer is into the settings' JSON form,

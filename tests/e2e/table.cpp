@@ -59,12 +59,13 @@ Shoot command_of(const ShotOutcome& outcome) {
     return {outcome.ruling.shooter, outcome.scene.strike.value().direction};
 }
 
-Duel::Duel(std::uint16_t port, Encoding ann_speaks, Encoding bob_speaks)
+Duel::Duel(std::uint16_t port, Encoding ann_speaks, Encoding bob_speaks,
+           const GameSettings& settings)
     : ann(port, ann_speaks),
       bob(port, bob_speaks),
-      ann_joined(ann.enter(CreateMatch{"Ann"})),
+      ann_joined(ann.enter(CreateMatch{"Ann", "end_game", Stream::kStates, settings})),
       bob_joined(bob.enter(JoinMatch{ann_joined.table.code, "Bob"})),
-      game(kEndGameRules.new_game(bob_joined.table.turn)) {
+      game(new_game(kEndGameRules, bob_joined.table.turn, settings)) {
     EXPECT_EQ(bob_joined.table.phase, Phase::kAiming);
     EXPECT_EQ(bob_joined.table.scene, game.scene);
     ann.await_table([](const TableState& table) { return table.phase == Phase::kAiming; });
@@ -92,6 +93,7 @@ void expect_same_shot(const ShotHeard& heard, const ShotOutcome& outcome) {
     EXPECT_EQ(ended.balls, outcome.trace.balls);
     EXPECT_EQ(ended.duration, outcome.trace.duration);
     EXPECT_EQ(ended.kernel, outcome.trace.kernel);
+    EXPECT_EQ(ended.solver, outcome.trace.solver);
     EXPECT_EQ(ended.outcome, Outcome::kRest);
     EXPECT_EQ(ended.ruling, outcome.ruling);
     expect_table_after(ended.table, outcome);

@@ -2,7 +2,7 @@
 
 #include "protocol/encoding.hpp"
 #include "protocol/messages.hpp"
-#include "shared/game/game_state.hpp"
+#include "shared/game/settings.hpp"
 #include "tests/e2e/protocol_client.hpp"
 
 namespace poolhall::e2e {
@@ -18,7 +18,8 @@ namespace poolhall::e2e {
 struct Duel {
     /// Ann creates the match, Bob joins it.
     explicit Duel(std::uint16_t port, protocol::Encoding ann_speaks = protocol::Encoding::kJson,
-                  protocol::Encoding bob_speaks = protocol::Encoding::kCbor);
+                  protocol::Encoding bob_speaks = protocol::Encoding::kCbor,
+                  const GameSettings& settings = {});
 
     /// Who sits there.
     [[nodiscard]] ProtocolClient& player(Seat seat) { return seat.value == 0 ? ann : bob; }

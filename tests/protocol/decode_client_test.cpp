@@ -186,6 +186,66 @@ TEST(DecodeClient, RefusesStreams) {
                    RejectCode::kBadField, "/stream");
 }
 
+/// A create_match with these settings, in JSON.
+std::string with_settings(const std::string& settings) {
+    return R"({"type":"create_match","seq":1,"name":"A","settings":)" + settings + "}";
+}
+
+TEST(DecodeClient, TakesSettingsInTheFieldsOfAScene) {
+    const auto result = decode_client(
+        with_settings(
+            R"({"effects":{"rolling":{},"sliding":{"mu":0.3}},"solver":{"kind":"event"}})"),
+        Encoding::kJson);
+    ASSERT_TRUE(result.ok()) << result.error().reason;
+    GameSettings expected;
+    expected.effects.emplace().rolling = RollingSpec{0.01};
+    expected.effects->sliding = SlidingSpec{0.3};
+    expected.solver = SolverSpec{SolverKind::kEvent, 30};
+    EXPECT_EQ(std::get<CreateMatch>(result->body).settings, expected);
+    for (const char* none : {"{}", R"({"effects":{}})"})
+        EXPECT_TRUE(decode_client(with_settings(none), Encoding::kJson).ok()) << none;
+}
+
+TEST(DecodeClient, RefusesSettings) {
+    const auto refused = [](const std::string& settings, const std::string& why,
+                            RejectCode code = RejectCode::kBadField) {
+        expect_refused(with_settings(settings), code, "/settings" + why);
+    };
+    for (const char* no_object : {"null", "[]", "7", "\"event\"", "true"})
+        refused(no_object, " must be an object");
+    refused(R"({"effects":[]})", "/effects must be an object");
+    refused(R"({"effects":null})", "/effects must be an object");
+    refused(R"({"effects":{"sliding":0.2}})", "/effects/sliding must be an object");
+    refused(R"({"effects":{"sliding":{"mu":"0x1p-3"}}})", "/effects/sliding/mu must be a number");
+    refused(R"({"effects":{"linear_drag":{"k":1}}})", "/effects/linear_drag/stop_speed",
+            RejectCode::kMissingField);
+    refused(R"({"effects":{"wind":{}}})", "/effects/wind", RejectCode::kUnknownField);
+    refused(R"({"effects":{"rolling":{"mu":0.01,"nu":1}}})", "/effects/rolling/nu",
+            RejectCode::kUnknownField);
+    refused(R"({"effects":{"rail":{"model":"soft"}}})", "/effects/rail/model must be one of");
+    refused(R"({"solver":{"kind":"verlet"}})", "/solver/kind must be one of");
+    refused(R"({"solver":{}})", "/solver/kind", RejectCode::kMissingField);
+    refused(R"({"solver":{"kind":"euler","hz":true}})", "/solver/hz must be a number");
+    refused(R"({"gravity":1.6})", "/gravity", RejectCode::kUnknownField);
+    refused(R"({"table":{"length":9}})", "/table", RejectCode::kUnknownField);
+}
+
+TEST(DecodeClient, RefusesSettingsThatAreNotFinite) {
+    for (const double bad :
+         {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        const nlohmann::json tree{{"type", "create_match"},
+                                  {"seq", 1},
+                                  {"name", "A"},
+                                  {"settings", {{"effects", {{"rolling", {{"mu", bad}}}}}}}};
+        std::string cbor;
+        nlohmann::json::to_cbor(tree, cbor);
+        const auto result = decode_client(cbor, Encoding::kCbor);
+        ASSERT_FALSE(result.ok());
+        EXPECT_EQ(result.error().code, RejectCode::kBadField);
+        EXPECT_EQ(result.error().reason, "field /settings/effects/rolling/mu must be finite");
+    }
+}
+
 TEST(DecodeClient, RefusesCodes) {
     for (const char* code : {"", "BCDFG", "BCDFGHJ", "ABCDFG", "BCDFG1", "BCD_FGH", "ÖCDFGH",
                              "B-C-D-F-G-H------------------"}) {

@@ -64,7 +64,8 @@ Json types_of(std::type_identity<std::variant<Bodies...>> /*list*/, const Json& 
 Json parts() {
     Json scene = fields_of<Scene>({{"schema", true}});
     scene["strike"] = false;
-    return {{"server-message.json",
+    return {{"client-message.json", {{"settings", fields_of<GameSettings>()}}},
+            {"server-message.json",
              {{"table_state", fields_of<TableState>()},
               {"seat_info", fields_of<SeatInfo>()},
               {"live_shot", fields_of<LiveShot>()},

@@ -214,6 +214,16 @@ Effects effects(Random& random) {
     return result;
 }
 
+/// What a client may write; not all of it is fit for a game.
+std::optional<GameSettings> settings(Random& random) {
+    if (random.coin()) return std::nullopt;
+    GameSettings result;
+    if (random.coin()) result.effects = effects(random);
+    if (random.coin())
+        result.solver = SolverSpec{any_of<SolverKind>(random), positive(random, 1000)};
+    return result;
+}
+
 /// Any solver that can do what the scene asks for.
 SolverKind fitting_solver(Random& random, Scene scene) {
     for (;;) {
@@ -275,7 +285,7 @@ Scene random_scene(Random& random, bool with_strike) {
 std::vector<ClientMessage> random_client_messages(Random& random) {
     const auto stream = [&] { return any_of<Stream>(random); };
     const std::vector<ClientBody> bodies{
-        CreateMatch{person(random), "end_game", stream()},
+        CreateMatch{person(random), "end_game", stream(), settings(random)},
         JoinMatch{code(random), person(random), stream()},
         WatchMatch{code(random), random.coin() ? "" : person(random), stream()},
         Resume{code(random), token(random), stream()},

@@ -1,6 +1,7 @@
 #include "server/match/gate.hpp"
 
 #include "shared/game/end_game.hpp"
+#include "tests/shared/game/pool_settings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,23 @@ TEST_F(Gate, SpectatorsAreLimited) {
     EXPECT_EQ(ask(MemberId{9}, WatchMatch{"BCDFGH", ""}), "");
     match.watch(MemberId{8}, "");
     EXPECT_EQ(ask(MemberId{9}, WatchMatch{"BCDFGH", ""}), "spectators_full");
+}
+
+TEST(GateToAMatch, KnowsTheGameAndItsSettings) {
+    EXPECT_FALSE(check(CreateMatch{"Ada"}));
+    EXPECT_FALSE(check(CreateMatch{"Ada", "end_game", {}, GameSettings{}}));
+    EXPECT_FALSE(check(CreateMatch{"Ada", "end_game", {}, poolhall::test::pool_settings()}));
+    EXPECT_EQ(check(CreateMatch{"Ada", "snooker"})->code, RejectCode::kUnknownGame);
+}
+
+TEST(GateToAMatch, NamesTheFieldOfUnfitSettings) {
+    GameSettings settings = poolhall::test::pool_settings();
+    settings.effects->sliding->mu = -0.2;
+    const auto refusal = check(CreateMatch{"Ada", "end_game", {}, settings});
+    ASSERT_TRUE(refusal);
+    EXPECT_EQ(refusal->code, RejectCode::kBadField);
+    EXPECT_EQ(refusal->reason,
+              "field /settings/effects/sliding/mu must be a finite number within its bounds");
 }
 
 TEST_F(Gate, ResumeTakesTheTokenOfASeat) {

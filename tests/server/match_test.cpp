@@ -1,6 +1,7 @@
 #include "server/match/match.hpp"
 
 #include "shared/game/end_game.hpp"
+#include "tests/shared/game/pool_settings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -91,6 +92,19 @@ TEST(Match, RematchChangesSidesAndKeepsTheWins) {
     EXPECT_FALSE(match.table().seats[0].wants_rematch);
     EXPECT_FALSE(match.table().ruling.has_value());
     EXPECT_EQ(match.table().seats[winner.value].wins, 1U);
+}
+
+TEST(Match, EveryGameIsPlayedWithTheMatchsSettings) {
+    const GameSettings settings = poolhall::test::pool_settings();
+    Match match({"0123456789abcdef", "BCDFGH", &kEndGameRules, Seat{0}, settings});
+    EXPECT_EQ(match.table().scene.effects, settings.effects);
+    EXPECT_EQ(match.table().scene.solver, settings.solver);
+    const protocol::ShotEnded ended = play(match, kSafe);
+    EXPECT_EQ(ended.solver, SolverKind::kEvent);
+    EXPECT_EQ(ended.kernel, "everything");
+    EXPECT_EQ(match.table().scene.effects, settings.effects);
+    match.start_next_game();
+    EXPECT_EQ(match.game(), new_game(kEndGameRules, Seat{1}, settings));
 }
 
 TEST(Match, DisconnectedPlayerKeepsTheSeatAndComesBackByToken) {

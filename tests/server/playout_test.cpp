@@ -2,6 +2,7 @@
 
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
+#include "tests/shared/game/pool_settings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,6 +34,55 @@ TEST(Playout, EveryEventFallsInTheFrameOfItsTick) {
     }
     EXPECT_TRUE(playout.finished());
     EXPECT_EQ(times(seen), times(playout.outcome().trace.events));
+}
+
+/// Plays a shot of real pool and shows it tick by tick.
+void expect_whole_playout(const SolverSpec& solver) {
+    const GameState state = new_game(kEndGameRules, Seat{0}, poolhall::test::pool_settings(solver));
+    Playout playout(1, kEndGameRules.play(state, {{1, 0.03}}));
+    const ShotTrace& trace = playout.outcome().trace;
+    std::vector<Vec2> shown{xy(trace.sample(0, 0)), xy(trace.sample(0, 1))};
+    std::vector<double> seen;
+    for (std::uint32_t tick = 1; tick <= playout.last_tick(); ++tick) {
+        const Frame frame = playout.advance(tick);
+        for (const Frame::Ball& ball : frame.balls)
+            shown[ball.ball.value] = ball.r;
+        for (const ShotEvent& event : frame.events) {
+            EXPECT_LE(event.t, tick / kPlayoutHz);
+            EXPECT_TRUE(tick == 1 || event.t > (tick - 1) / kPlayoutHz);
+            seen.push_back(event.t);
+        }
+    }
+    EXPECT_TRUE(playout.finished());
+    EXPECT_EQ(seen, times(trace.events));
+    EXPECT_GE(playout.last_tick() / kPlayoutHz, trace.duration);
+    EXPECT_LT((playout.last_tick() - 1) / kPlayoutHz, trace.duration);
+    for (std::size_t ball = 0; ball < shown.size(); ++ball)
+        EXPECT_EQ(shown[ball], xy(trace.balls[ball].state.r))
+            << "the last frame is the final state";
+}
+
+TEST(Playout, ShowsTheTraceOfEverySolverAtItsOwnRate) {
+    for (const SolverSpec& solver : poolhall::test::kPlayableSolvers) {
+        SCOPED_TRACE(std::string(name(solver.kind)) + " " + std::to_string(solver.hz));
+        expect_whole_playout(solver);
+    }
+}
+
+TEST(Playout, ShotThatIsOverAtOnceIsShownForATick) {
+    GameSettings settings = poolhall::test::pool_settings();
+    settings.effects->rail = {RailModel::kRestitution, 0, 0.2, 0.036576};
+    GameState state = new_game(kEndGameRules, Seat{0}, settings);
+    const double edge = inset(state.scene.table, state.scene.ball.radius).x;
+    set_xy(state.scene.balls[0].state.r, {-edge, 0.2});
+    Playout playout(1, kEndGameRules.play(state, {{-1, 0}}));
+    ASSERT_EQ(playout.outcome().trace.duration, 0);
+    ASSERT_EQ(playout.last_tick(), 1U);
+    EXPECT_EQ(playout.live().balls.size(), 2U);
+    const Frame frame = playout.advance(1);
+    EXPECT_EQ(times(frame.events), times(playout.outcome().trace.events));
+    EXPECT_TRUE(frame.balls.empty());
+    EXPECT_TRUE(playout.finished());
 }
 
 TEST(Playout, FrameHasOnlyTheBallsThatMoved) {

@@ -1,6 +1,7 @@
 #include "server/match/rebuild.hpp"
 
 #include "shared/game/end_game.hpp"
+#include "tests/shared/game/pool_settings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +12,15 @@ using namespace protocol;
 
 /// The log of a match with `shots` shots, the first with the cue ball moved, and the match itself.
 struct Logged {
-    explicit Logged(std::uint32_t shots)
-        : match({"0123456789abcdef", "BCDFGH", &kEndGameRules, Seat{0}}) {
+    explicit Logged(std::uint32_t shots, const GameSettings& settings = {})
+        : match({"0123456789abcdef", "BCDFGH", &kEndGameRules, Seat{0}, settings}) {
         stored.id = match.id();
         stored.code = match.code();
         stored.seats = {StoredMatch::StoredSeat{"Ada", hash_token("a")},
                         StoredMatch::StoredSeat{"Ben", hash_token("b")}};
         stored.records = {MatchRecord{match.id(), "end_game", "test", 0}, GameRecord{1, Seat{0}},
                           SeatRecord{Seat{0}, "Ada"}, SeatRecord{Seat{1}, "Ben"}};
+        if (settings != GameSettings{}) match_record().settings = settings;
         for (const Seat seat : kSeats)
             match.take_seat(
                 seat, {stored.seats[seat.value].name, stored.seats[seat.value].token_hash, {}});
@@ -38,6 +40,8 @@ struct Logged {
         match.finish_shot();
     }
 
+    MatchRecord& match_record() { return std::get<MatchRecord>(stored.records.front()); }
+
     ShotRecord& last_shot() { return std::get<ShotRecord>(stored.records.back()); }
 
     Match match;
@@ -51,6 +55,30 @@ TEST(Rebuild, MatchIsAsItsLogLeftIt) {
     EXPECT_EQ(rebuilt->table(), logged.match.table());
     EXPECT_EQ(rebuilt->seats_of(hash_token("b")), std::vector<Seat>{Seat{1}});
     EXPECT_FALSE(rebuilt->table().seats[0].connected);
+}
+
+TEST(Rebuild, MatchKeepsItsSettings) {
+    for (const SolverSpec& solver : poolhall::test::kPlayableSolvers) {
+        const GameSettings settings = poolhall::test::pool_settings(solver);
+        Logged logged(3, settings);
+        auto rebuilt = rebuild(logged.stored);
+        ASSERT_TRUE(rebuilt.ok()) << rebuilt.error();
+        EXPECT_EQ(rebuilt->table(), logged.match.table());
+        rebuilt->start_next_game();
+        EXPECT_EQ(rebuilt->game(), new_game(kEndGameRules, Seat{1}, settings));
+    }
+}
+
+TEST(Rebuild, ShotsOfOtherSettingsAreRefused) {
+    Logged logged(2, poolhall::test::pool_settings());
+    logged.match_record().settings.reset();
+    const auto without = rebuild(logged.stored);
+    ASSERT_FALSE(without.ok());
+    EXPECT_NE(without.error().find("shot 1"), std::string::npos) << without.error();
+    logged.match_record().settings.emplace().solver = SolverSpec{SolverKind::kOverlap, 30};
+    const auto unfit = rebuild(logged.stored);
+    ASSERT_FALSE(unfit.ok());
+    EXPECT_NE(unfit.error().find("/solver/kind"), std::string::npos) << unfit.error();
 }
 
 TEST(Rebuild, DivergenceIsNamed) {

@@ -1,4 +1,5 @@
 #include "tests/server/support/table.hpp"
+#include "tests/shared/game/pool_settings.hpp"
 
 namespace poolhall::server::test {
 namespace {
@@ -91,6 +92,46 @@ TEST(Session, BadCommandsAreRejectedAndTheMatchGoesOn) {
     ada.send_raw(R"({"type":"shoot","seq":200,"seat":0,"direction":[-0.3875,0.3599]})", true);
     EXPECT_EQ(ada.expect<Accepted>().seq, 200U);
     EXPECT_EQ(ada.expect<ShotEnded>().shot, 1U);
+}
+
+TEST(Session, UnfitSettingsBeginNoMatch) {
+    RunningServer server;
+    Client ada(server.json());
+    const auto refusal = [&](const std::string& settings) {
+        static int seq = 0;
+        ada.send_raw(R"({"type":"create_match","name":"Ada","seq":)" + std::to_string(++seq) +
+                         R"(,"settings":)" + settings + "}",
+                     true);
+        const Reject reject = ada.expect<Reject>();
+        return std::string(name(reject.code)) + ": " + reject.reason;
+    };
+    const std::string bounds = " must be a finite number within its bounds";
+    const std::pair<const char*, std::string> cases[]{
+        {"7", "bad_field: field /settings must be an object"},
+        {R"({"wind":{}})", "unknown_field: field /settings/wind is not known"},
+        {R"({"effects":{"wind":{}}})", "unknown_field: field /settings/effects/wind is not known"},
+        {R"({"effects":{"rolling":{"mu":-0.01}}})",
+         "bad_field: field /settings/effects/rolling/mu" + bounds},
+        {R"({"effects":{}})",
+         "bad_field: field /settings/effects must bring the balls to rest: "
+         "with linear_drag or rolling"},
+        {R"({"solver":{"kind":"euler","hz":1e300}})",
+         "bad_field: field /settings/solver/hz" + bounds},
+        {R"({"solver":{"kind":"euler","hz":100000}})",
+         "bad_field: field /settings/solver/hz must be at most 1000 in a game"},
+        {R"({"solver":{"kind":"overlap"}})",
+         "bad_field: field /settings/solver/kind must not be overlap in a game: it misses impacts"},
+    };
+    for (const auto& [settings, reason] : cases)
+        EXPECT_EQ(refusal(settings), reason) << settings;
+    EXPECT_EQ(http_get(server.address(), "/api/matches").body.find("end_game"), std::string::npos);
+
+    Client ben(server.cbor());
+    GameSettings unfit;
+    unfit.effects.emplace().sliding = SlidingSpec{};
+    EXPECT_EQ(ben.ask(CreateMatch{"Ben", "end_game", {}, unfit})->code, RejectCode::kBadField);
+    ben.send(CreateMatch{"Ben", "end_game", {}, poolhall::test::pool_settings()});
+    EXPECT_EQ(ben.expect<Joined>().table.scene.solver.kind, SolverKind::kEvent);
 }
 
 TEST(Session, PlayerWhoDoesNotReadIsDroppedAndKeepsTheSeat) {

@@ -1,6 +1,7 @@
 #include "protocol/replay/line.hpp"
 #include "protocol/replay/record_text.hpp"
 #include "tests/server/store/store_fixture.hpp"
+#include "tests/shared/game/pool_settings.hpp"
 
 #include <SQLiteCpp/Database.h>
 #include <algorithm>
@@ -114,6 +115,17 @@ TEST_F(ReplayTool, ExportsWhatTheStoreHolds) {
     EXPECT_EQ(run("export m1 -").text, file);
     EXPECT_EQ(run("verify --file " + path("m1.jsonl")).status, 0);
     EXPECT_EQ(run("show --file " + path("m1.jsonl")).text, run("show m1").text);
+}
+
+TEST_F(ReplayTool, ShowsVerifiesAndExportsAMatchWithSettings) {
+    const auto records = played_match("m2", kShots, test::pool_settings());
+    store_match(*open_store(data()), "m2", "JKLMNP", records);
+    const ProgramRun show = run("show m2");
+    EXPECT_TRUE(show.says("by poolhall 0.1.0, with physics of its own\n")) << show.text;
+    EXPECT_TRUE(show.says("event         everything ")) << show.text;
+    EXPECT_TRUE(run("show m1").says("euler:30      drag_rails_pockets "));
+    EXPECT_TRUE(run("verify m2").says("replay m2: 6 shots, all as recorded\n"));
+    EXPECT_EQ(run("export m2 -").text, replay_file(records));
 }
 
 TEST_F(ReplayTool, WorksWhileAServerWrites) {

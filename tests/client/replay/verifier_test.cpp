@@ -2,6 +2,7 @@
 
 #include "shared/game/end_game.hpp"
 #include "tests/protocol/replay/played_match.hpp"
+#include "tests/shared/game/pool_settings.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -155,6 +156,35 @@ TEST(Verifier, ChecksTheShotsOfAGameItDoesNotKnow) {
     std::get<MatchRecord>(records.front()).game = "snooker";
     for (const ShotReport& report : verify(records))
         EXPECT_EQ(first(report.divergences), "nothing");
+}
+
+TEST(Verifier, FindsAMatchOfEverySolverGood) {
+    for (const SolverSpec& solver : test::kPlayableSolvers) {
+        const auto records = test::played_match("m1", kShots, test::pool_settings(solver));
+        const auto reports = verify(records);
+        ASSERT_EQ(reports.size(), kShots);
+        for (const ShotReport& report : reports)
+            EXPECT_EQ(first(report.divergences), "nothing") << report.shot;
+    }
+}
+
+TEST(Verifier, NamesAShotThatWasNotPlayedWithTheMatchsSettings) {
+    auto records = test::played_match("m1", 1, test::pool_settings());
+    std::get<MatchRecord>(records.front()).settings->effects->sliding->mu = 0.25;
+    const auto reports = verify(records);
+    ASSERT_EQ(reports.size(), 1U);
+    EXPECT_NE(first(reports[0].divergences).find("/effects/sliding/mu"), std::string::npos)
+        << first(reports[0].divergences);
+}
+
+TEST(Verifier, NamesSettingsThatNoServerTakesOnce) {
+    auto records = test::played_match("m1", 2, test::pool_settings());
+    std::get<MatchRecord>(records.front()).settings->solver = SolverSpec{SolverKind::kOverlap, 30};
+    const auto reports = verify(records);
+    ASSERT_EQ(reports.size(), 2U);
+    EXPECT_EQ(first(reports[0].divergences).substr(0, 53),
+              "the match's settings cannot be played: /solver/kind m");
+    EXPECT_NE(first(reports[1].divergences).substr(0, 20), "the match's settings");
 }
 
 TEST(Verifier, AShotBeforeAnyGameIsNamed) {

@@ -22,10 +22,12 @@ Vec2 aim(const GameState& state, std::uint32_t shot) {
 
 }  // namespace
 
-std::vector<ReplayRecord> played_match(const std::string& id, std::uint32_t shots) {
-    std::vector<ReplayRecord> records{
-        protocol::MatchRecord{id, "end_game", "poolhall 0.1.0", kStart},
-        protocol::SeatRecord{Seat{0}, "Ann"}, protocol::SeatRecord{Seat{1}, "Bob"}};
+std::vector<ReplayRecord> played_match(const std::string& id, std::uint32_t shots,
+                                       const GameSettings& settings) {
+    protocol::MatchRecord match{id, "end_game", "poolhall 0.1.0", kStart};
+    if (settings != GameSettings{}) match.settings = settings;
+    std::vector<ReplayRecord> records{match, protocol::SeatRecord{Seat{0}, "Ann"},
+                                      protocol::SeatRecord{Seat{1}, "Bob"}};
     std::uint32_t game_number = 0;
     GameState state;
     state.over = true;
@@ -33,7 +35,7 @@ std::vector<ReplayRecord> played_match(const std::string& id, std::uint32_t shot
         if (state.over) {
             const Seat first{static_cast<std::uint8_t>(game_number % 2)};
             records.emplace_back(protocol::GameRecord{++game_number, first});
-            state = kEndGameRules.new_game(first);
+            state = new_game(kEndGameRules, first, settings);
             kEndGameRules.place_cue_ball(state, {end_game::kBaseLineX, 0.01 * game_number});
         }
         const ShotOutcome outcome = kEndGameRules.play(state, {aim(state, shot)});

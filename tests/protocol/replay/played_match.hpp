@@ -12,7 +12,8 @@ namespace poolhall::test {
 /// A closed match between Ann and Bob of at least `shots` shots, with games won, lost and begun
 /// again.
 [[nodiscard]] std::vector<protocol::ReplayRecord> played_match(const std::string& id,
-                                                               std::uint32_t shots);
+                                                               std::uint32_t shots,
+                                                               const GameSettings& settings = {});
 
 /// The records as a replay file.
 [[nodiscard]] std::string replay_file(const std::vector<protocol::ReplayRecord>& records);

@@ -105,6 +105,24 @@ TEST(RecordText, AnotherFormatIsRefused) {
     EXPECT_EQ(fault_of(json), "/format");
 }
 
+TEST(RecordText, KeepsTheSettingsOfAMatch) {
+    MatchRecord match{"m1", "end_game", "poolhall 0.1.0", 0};
+    EXPECT_EQ(to_text(1, match).find("settings"), std::string::npos) << "as before there were any";
+    match.settings.emplace().solver = SolverSpec{SolverKind::kEvent, 30};
+    match.settings->effects.emplace().rolling = RollingSpec{0.01};
+    const auto read = record_from_text(to_text(1, match));
+    ASSERT_TRUE(read) << read.error().pointer;
+    EXPECT_EQ(std::get<MatchRecord>(read->record).settings, match.settings);
+
+    Json json = Json::parse(to_text(1, match));
+    json["settings"]["effects"]["wind"] = Json::object();
+    EXPECT_EQ(fault_of(json), "/settings/effects/wind");
+    json["settings"] = nullptr;
+    EXPECT_EQ(fault_of(json), "/settings");
+    json.erase("settings");
+    EXPECT_EQ(fault_of(json), "ok");
+}
+
 TEST(RecordText, AMatchIdIsNoPath) {
     for (const std::string id : {"", "..", "../m1", "a/b", "a b", "a.b"}) {
         EXPECT_FALSE(is_match_id(id)) << id;
