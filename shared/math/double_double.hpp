@@ -92,6 +92,10 @@ struct Vec3DoubleDouble {
     DoubleDouble z;
 };
 
+constexpr Vec3 value(const Vec3DoubleDouble& a) {
+    return {value(a.x), value(a.y), value(a.z)};
+}
+
 /// a - b without rounding.
 constexpr Vec2DoubleDouble exact_difference(Vec2 a, Vec2 b) {
     return {two_sum(a.x, -b.x), two_sum(a.y, -b.y)};

@@ -68,6 +68,11 @@ double changed(double v, DoubleDouble change, double rounding) {
     return std::abs(sum) <= rounding ? 0 : sum;
 }
 
+/// The slate takes the vertical part (Plane::kKept).
+Vec3 along_table(const Vec3& push) {
+    return {push.x, push.y, 0};
+}
+
 void add(Vec3DoubleDouble& sum, DoubleDouble factor, const Vec3& v) {
     sum.x = sum.x + factor * DoubleDouble{v.x};
     sum.y = sum.y + factor * DoubleDouble{v.y};
@@ -275,12 +280,15 @@ void ContactSolver::reflect_together(std::span<MovingBall> balls) {
     for (std::size_t i = 0; i < problem_.size(); ++i)
         fastest = std::max(fastest, std::abs(problem_.q(i).hi));
     problem_.solve();
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-        const DoubleDouble size = DoubleDouble{1 + restitution(approaching_[i])} * problem_.x(i);
-        add_impulse(i, size, balls);
-        if (has_friction_) add_friction(i, value(size), balls);
-    }
+    for (std::size_t i = 0; i < problem_.size(); ++i)
+        add_impulse(i, reflected_impulse(i), balls);
+    if (has_friction_) rub_together(balls);
     apply_changes(kRounding * fastest, balls);
+}
+
+/// The impulse at contact i with its restitution, per unit mass.
+DoubleDouble ContactSolver::reflected_impulse(std::size_t i) const {
+    return DoubleDouble{1 + restitution(approaching_[i])} * problem_.x(i);
 }
 
 /// Balls that come together slowly again and again, pressed by the cloth, are made to part.
@@ -313,22 +321,43 @@ void ContactSolver::add_impulse(std::size_t contact, DoubleDouble size,
         add(changes_[b].v, DoubleDouble{unit_mass_ / balls[b].mass} * size, normals_[contact]);
 }
 
-void ContactSolver::add_friction(std::size_t contact, double impulse,
-                                 std::span<const MovingBall> balls) {
-    const Contact& c = approaching_[contact];
-    if (c.kind != Contact::Kind::kBalls || impulse <= 0) return;
-    const auto ball_of = [&](std::size_t i) {
-        return ImpactBall{velocity(balls[i]), balls[i].w, balls[i].radius, balls[i].mass};
+/// Friction of all contacts, by the slip that is left when all have bounced. By the slip of before,
+/// it could drive what the other bounces have turned round; all at once, for there is no order.
+void ContactSolver::rub_together(std::span<const MovingBall> balls) {
+    pushes_.clear();
+    for (std::size_t i = 0; i < problem_.size(); ++i)
+        pushes_.push_back(friction_at(i, balls));
+    for (std::size_t i = 0; i < problem_.size(); ++i)
+        add_push(approaching_[i], pushes_[i], normals_[i], balls);
+}
+
+/// The impulse of friction on ball b of the contact (kg m/s), with the share of it that counts.
+Vec3 ContactSolver::friction_at(std::size_t i, std::span<const MovingBall> balls) const {
+    const Contact& contact = approaching_[i];
+    const double impulse = unit_mass_ * value(reflected_impulse(i));
+    if (contact.kind != Contact::Kind::kBalls || impulse <= 0) return {};
+    const auto ball_of = [&](std::size_t ball) {
+        const MovingBall& before = balls[ball];
+        return ImpactBall{velocity(before) + value(changes_[ball].v), before.w, before.radius,
+                          before.mass};
     };
-    ImpactBall a = ball_of(c.a);
-    ImpactBall b = ball_of(c.b);
-    apply_friction(friction_, unit_mass_ * impulse, normals_[contact], a, b);
-    // Each friction ends its own slip at most; a ball that has several would overshoot.
-    const DoubleDouble share{1 / static_cast<double>(most_impacts_of(c))};
-    add(changes_[c.a].v, share, a.v - velocity(balls[c.a]));
-    add(changes_[c.b].v, share, b.v - velocity(balls[c.b]));
-    add(changes_[c.a].w, share, a.w - balls[c.a].w);
-    add(changes_[c.b].w, share, b.w - balls[c.b].w);
+    // Each friction ends its own slip at most; a ball that has several would overshoot. So shared,
+    // they cannot add energy: it is convex in the velocities.
+    return 1 / static_cast<double>(most_impacts_of(contact)) *
+           friction_impulse(friction_, impulse, normals_[i], ball_of(contact.a),
+                            ball_of(contact.b));
+}
+
+void ContactSolver::add_push(const Contact& contact, const Vec3& push, const Vec3& n,
+                             std::span<const MovingBall> balls) {
+    if (push == Vec3{}) return;
+    const Vec3 torque = 2.5 * cross(push, n);
+    for (const std::size_t i : {contact.a, contact.b}) {
+        const MovingBall& ball = balls[i];
+        const DoubleDouble sign{direction_on(contact, i)};
+        add(changes_[i].v, sign * DoubleDouble{1 / ball.mass}, along_table(push));
+        add(changes_[i].w, DoubleDouble{1 / (ball.mass * ball.radius)}, torque);
+    }
 }
 
 /// In how many impacts with balls the busier of the contact's two balls takes part.

@@ -32,7 +32,7 @@ struct Contact {
 /// How often two bodies have met slowly in a row. Bodies that the cloth's friction presses together
 /// meet again after each impact, ever sooner. The first slow impact is left as its model has it,
 /// for nothing may bring the two together again; from the second on they part at a least speed that
-/// doubles each time: bounces too small to see, but few.
+/// quadruples each time: bounces too small to see, but few.
 class SlowImpacts {
   public:
     /// The least speed of an impact that by itself would leave `speed`; both in m/s.
@@ -47,10 +47,10 @@ class SlowImpacts {
     }
 
   private:
-    static constexpr std::uint8_t kMost = 9;
+    static constexpr std::uint8_t kMost = 5;
 
-    static constexpr double grown(double speed, int doublings) {
-        return speed * static_cast<double>(1 << doublings);
+    static constexpr double grown(double speed, int times) {
+        return speed * static_cast<double>(1 << (2 * times));
     }
 
     std::uint8_t count_ = 0;
@@ -92,9 +92,13 @@ class ContactSolver {
     [[nodiscard]] double coupling(std::size_t i, std::size_t j,
                                   std::span<const MovingBall> balls) const;
     void reflect_together(std::span<MovingBall> balls);
+    [[nodiscard]] DoubleDouble reflected_impulse(std::size_t i) const;
     void part_pressed(std::span<MovingBall> balls);
     void add_impulse(std::size_t contact, DoubleDouble size, std::span<const MovingBall> balls);
-    void add_friction(std::size_t contact, double impulse, std::span<const MovingBall> balls);
+    void rub_together(std::span<const MovingBall> balls);
+    [[nodiscard]] Vec3 friction_at(std::size_t contact, std::span<const MovingBall> balls) const;
+    void add_push(const Contact& contact, const Vec3& push, const Vec3& n,
+                  std::span<const MovingBall> balls);
     [[nodiscard]] int most_impacts_of(const Contact& contact) const;
     void apply_changes(double rounding, std::span<MovingBall> balls);
 
@@ -116,6 +120,7 @@ class ContactSolver {
     std::vector<Contact> group_;        ///< contacts of the group
     std::vector<Contact> approaching_;  ///< those that approach, with normals_
     std::vector<Vec3> normals_;
+    std::vector<Vec3> pushes_;               ///< of friction, kg m/s
     std::vector<Change> changes_;            ///< per ball
     std::vector<double> least_openings_;     ///< m/s, per contact
     std::vector<SlowImpacts> slow_impacts_;  ///< per pair

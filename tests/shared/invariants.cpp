@@ -108,7 +108,7 @@ class Ledger {
     }
 
     /// Bodies that the cloth presses together may be parted with this speed, and gain its square:
-    /// the least separation, doubled up to eight times (SlowImpacts in contact.hpp).
+    /// the least separation, quadrupled up to four times (SlowImpacts in contact.hpp).
     [[nodiscard]] double square_of_slow_parting(const ShotEvent& event) const {
         const double most = 256 * scene_.effects.ball_ball.min_separation;
         double speed = 0;
@@ -130,6 +130,8 @@ class Ledger {
             const double mass = mass_of(scene_, scene_.balls[i]) / scene_.ball.mass;
             change = change + mass * (xy(known_[i].v) - xy(before_[i].v));
             scale += mass * std::max(norm(xy(known_[i].v)), norm(xy(before_[i].v)));
+            // Two instants that rounding has made one: between them the cloth has slowed the ball.
+            scale += mass * scene_.gravity * t;
         }
         // Of bodies that fall upon each other the vertical momentum goes to the slate.
         if (norm(change) <= 4 * kUlp * scale) return {};
