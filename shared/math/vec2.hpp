@@ -57,7 +57,8 @@ inline Vec2 normalized(Vec2 a) {
 inline double length(Vec2 a) {
     const double square = dot(a, a);
     // Normal numbers with all their digits.
-    if (square >= 0x1p-960 && square <= 0x1p1020) return std::sqrt(square);
+    if (square >= 0x1p-960 && square <= 0x1p1020) [[likely]]
+        return std::sqrt(square);
     return a == Vec2{} ? 0 : dot(normalized(a), a);
 }
 

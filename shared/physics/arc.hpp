@@ -37,7 +37,8 @@ struct Arc {
 
 [[nodiscard]] inline Vec2 place_on(const MovingBall& ball, const Arc& arc, double t) {
     const double dt = t - arc.since;
-    if (arc.drag > 0) return ball.r + way_under_drag(arc.drag, dt) * ball.v;
+    if (arc.drag > 0) [[unlikely]]
+        return ball.r + way_under_drag(arc.drag, dt) * ball.v;
     return ball.r + dt * (ball.v + (dt / 2) * arc.a);
 }
 
@@ -52,24 +53,29 @@ struct Arc {
     return ball.height + dt * (ball.climb - (dt / 2) * arc.gravity);
 }
 
-/// The ball at t on its arc.
-[[nodiscard]] inline MovingBall ball_on(const MovingBall& ball, const Arc& arc, double t) {
+/// Brings the ball to t on its arc.
+inline void advance(MovingBall& ball, const Arc& arc, double t) {
     const double dt = t - arc.since;
-    MovingBall moved = ball;
-    moved.r = place_on(ball, arc, t);
-    moved.v = velocity_on(ball, arc, t);
-    moved.w.x += dt * arc.dw.x;
-    moved.w.y += dt * arc.dw.y;
+    const Vec2 r = place_on(ball, arc, t);
     if (ball.motion == Motion::kAirborne) {
-        moved.height = height_on(ball, arc, t);
-        moved.climb = ball.climb - dt * arc.gravity;
+        ball.height = height_on(ball, arc, t);
+        ball.climb -= dt * arc.gravity;
     }
+    ball.v = velocity_on(ball, arc, t);
+    ball.r = r;
+    ball.w.x += dt * arc.dw.x;
+    ball.w.y += dt * arc.dw.y;
     const double lost = dt * arc.side_decay;
     if (lost > 0) {
         const double left = std::max(std::abs(ball.w.z) - lost, 0.0);
-        moved.w.z = ball.w.z < 0 ? -left : left;
+        ball.w.z = ball.w.z < 0 ? -left : left;
     }
-    return moved;
+}
+
+/// The ball at t on its arc.
+[[nodiscard]] inline MovingBall ball_on(MovingBall ball, const Arc& arc, double t) {
+    advance(ball, arc, t);
+    return ball;
 }
 
 }  // namespace poolhall

@@ -45,7 +45,8 @@ class Cloth {
                 if constexpr (Set::template kHas<Sliding>) {
                     if (effects_.template effect<Sliding>().kick(ball, dt)) {
                         const MovingBall before = with_velocity(ball, v);
-                        roll(ball, rounding_of(before));
+                        ball.v = unless_rounding(ball.v, before);
+                        roll(ball);
                         happened(EventKind::kSlideToRoll, before);
                         if (ball.motion != Motion::kRolling)
                             happened(EventKind::kRollToRest, before);
@@ -81,6 +82,12 @@ class Cloth {
     /// The closed-form motion of a settled ball from time t on.
     [[nodiscard]] Arc arc_of(const MovingBall& ball, double t) const {
         Arc arc;
+        find_arc(ball, t, arc);
+        return arc;
+    }
+
+    void find_arc(const MovingBall& ball, double t, Arc& arc) const {
+        arc = Arc{};
         arc.since = t;
         if constexpr (Set::template kHas<SpinDecay>) {
             if (ball.motion != Motion::kAirborne)
@@ -103,36 +110,37 @@ class Cloth {
             default:
                 break;
         }
-        return arc;
     }
 
     /// The ball at arc.until, where its motion ends by itself, settled anew.
     template <class Happened>
     void transition(MovingBall& ball, const Arc& arc, Happened happened) const {
-        MovingBall after = ball_on(ball, arc, arc.until);
-        const MovingBall before = after;
-        switch (ball.motion) {
-            case Motion::kSliding: {
-                // Exactly, rather than what the arc makes of it; a full draw has nothing left but
-                // rounding of what it had.
-                const double rounding = rounding_of(ball);
-                after.v = Sliding::velocity_after(ball.v, Sliding::slip(ball));
-                ball = after;
-                roll(ball, rounding);
+        const Motion motion = ball.motion;
+        const Vec2 r = ball.r;
+        const Vec2 v = ball.v;
+        // A full draw leaves nothing but rounding of what it had.
+        const Vec2 rolled =
+            motion == Motion::kSliding
+                ? unless_rounding(Sliding::velocity_after(v, Sliding::slip(ball)), ball)
+                : Vec2{};
+        advance(ball, arc, arc.until);
+        const MovingBall before = ball;
+        switch (motion) {
+            case Motion::kSliding:
+                // Exactly, rather than what the arc makes of it.
+                ball.v = rolled;
+                roll(ball);
                 happened(EventKind::kSlideToRoll, before);
                 if (ball.motion != Motion::kRolling) happened(EventKind::kRollToRest, before);
                 break;
-            }
             case Motion::kRolling:
                 // The mean velocity, rather than the arc's end, which cancels.
-                if (arc.drag == 0) after.r = ball.r + ((arc.until - arc.since) / 2) * ball.v;
-                ball = after;
+                if (arc.drag == 0) ball.r = r + ((arc.until - arc.since) / 2) * v;
                 stop(ball);
                 happened(EventKind::kRollToRest, before);
                 break;
             case Motion::kAirborne:
                 if constexpr (Set::template kHas<Airborne>) {
-                    ball = after;
                     ball.height = 0;
                     effects_.template effect<Airborne>().bounce(ball);
                     settle(ball);
@@ -140,7 +148,6 @@ class Cloth {
                 }
                 break;
             default:
-                ball = after;
                 ball.w.z = 0;
                 ball.motion = Motion::kStationary;
                 happened(EventKind::kSpinToRest, before);
@@ -171,18 +178,24 @@ class Cloth {
         return false;
     }
 
-    /// A speed (m/s) below which nothing is left of the ball's motion but rounding.
-    [[nodiscard]] static double rounding_of(const MovingBall& ball) {
-        return kRounding * (length(ball.v) + ball.radius * length(xy(ball.w)));
+    /// Whether a speed is more than rounding of what the ball's motion is made of.
+    [[nodiscard]] static bool exceeds_rounding(Vec2 speed, const MovingBall& ball) {
+        // (|v| + R |w|)^2 <= 2 (v^2 + R^2 w^2): mostly it takes no root.
+        const double reach = ball.radius * ball.radius;
+        const double squares = dot(ball.v, ball.v) + reach * dot(xy(ball.w), xy(ball.w));
+        if (dot(speed, speed) > 4 * kRounding * kRounding * squares) return true;
+        return length(speed) > kRounding * (length(ball.v) + ball.radius * length(xy(ball.w)));
+    }
+
+    [[nodiscard]] static Vec2 unless_rounding(Vec2 v, const MovingBall& ball) {
+        return exceeds_rounding(v, ball) ? v : Vec2{};
     }
 
     [[nodiscard]] bool slides(const MovingBall& ball) const {
-        return couples_spin() && length(Sliding::slip(ball)) > rounding_of(ball);
+        return couples_spin() && exceeds_rounding(Sliding::slip(ball), ball);
     }
 
-    /// A full draw that stops dead leaves nothing over but `rounding`.
-    void roll(MovingBall& ball, double rounding = 0) const {
-        if (rounding > 0 && length(ball.v) <= rounding) ball.v = {};
+    void roll(MovingBall& ball) const {
         if (ball.v == Vec2{}) {
             stop(ball);
             return;

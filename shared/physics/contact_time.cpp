@@ -205,30 +205,37 @@ double first_contact_curved(const RelativeArc<Vec>& arc, double distance, double
     return kNever;
 }
 
-/// True if the two cannot meet by their distance along c alone.
-template <class Vec>
-bool stay_apart_along(const RelativeArc<Vec>& arc, double distance, double horizon) {
-    const double square = dot(arc.c, arc.c);
-    const double b = dot(arc.c, arc.v);
-    const double curve = dot(arc.c, arc.a);
-    // c(t) . c / |c| is a lower bound of |c(t)|.
-    double least = std::min(square, square + horizon * (b + horizon * curve / 2));
-    if (curve > 0 && b < 0 && -b < curve * horizon) least = square - b * b / (2 * curve);
-    constexpr double kMargin = 1 + 0x1p-40;
-    return least > 0 && least * least > kMargin * square * distance * distance;
-}
+/// What a bound must be exceeded by, relatively: far more than rounding.
+constexpr double kMargin = 1 + 0x1p-30;
 
-/// True if the two cannot meet by their distance aside from v alone.
-bool stay_apart_aside(const RelativeArc<Vec2>& arc, double distance, double horizon) {
-    constexpr double kMargin = 1 + 0x1p-40;
-    const double aside = cross(arc.c, arc.v);
-    const double aside_later = aside + cross(arc.a, arc.v) * horizon * horizon / 2;
-    const double reach = kMargin * distance * distance * dot(arc.v, arc.v);
-    return (aside > 0) == (aside_later > 0) && aside * aside > reach &&
-           aside_later * aside_later > reach;
+/// True if the two cannot meet by their distance along c alone.
+bool stay_apart_along(double c_c, double c_v, double c_a, double distance, double horizon) {
+    // c(t) . c / |c| is a lower bound of |c(t)|.
+    double least = std::min(c_c, c_c + horizon * (c_v + horizon * c_a / 2));
+    if (c_a > 0 && c_v < 0 && -c_v < c_a * horizon) least = c_c - c_v * c_v / (2 * c_a);
+    return least > 0 && least * least > kMargin * c_c * distance * distance;
 }
 
 }  // namespace
+
+bool stay_apart(Vec2 c, Vec2 v, Vec2 a, double distance, double horizon) {
+    const double c_v = dot(c, v);
+    const double c_a = dot(c, a);
+    const double v_v = dot(v, v);
+    if (c_v > 0) {
+        // The derivative of |c(t)|^2 / 2 is c.v + (v.v + a.c) t + 3/2 a.v t^2 + 1/2 a.a t^3.
+        const double linear = v_v + c_a;
+        const double square = 1.5 * horizon * std::min(dot(a, v), 0.0);
+        const double rounding = 0x1p-30 * horizon * (std::abs(linear) - square);
+        if (c_v + horizon * std::min(linear + square, 0.0) > rounding) return true;
+    }
+    if (stay_apart_along(dot(c, c), c_v, c_a, distance, horizon)) return true;
+    // By their distance aside from v.
+    const double aside = cross(c, v);
+    const double aside_later = aside + cross(a, v) * (horizon * horizon / 2);
+    const double reach = kMargin * distance * distance * v_v;
+    return aside * aside_later > 0 && aside * aside > reach && aside_later * aside_later > reach;
+}
 
 double first_contact_straight(Vec2 c, Vec2 v, double deceleration, double distance,
                               double horizon) {
@@ -244,8 +251,6 @@ double first_contact_straight(Vec2 c, Vec2 v, double deceleration, double distan
 
 double first_contact(const RelativeArc<Vec2>& arc, double distance, double horizon) {
     if (arc.a == Vec2{}) return first_contact_straight(arc.c, arc.v, 0, distance, horizon);
-    if (stay_apart_along(arc, distance, horizon) || stay_apart_aside(arc, distance, horizon))
-        return kNever;
     // On a straight line, what approaches meets on its way there or never.
     if (cross(arc.v, arc.a) == 0 && dot(arc.c, arc.v) < 0) {
         const double deceleration = dot(arc.v, arc.a) < 0 ? norm(arc.a) : -norm(arc.a);
@@ -259,7 +264,9 @@ double first_contact(const RelativeArc<Vec3>& arc, double distance, double horiz
         const double t = straight_contact(arc.c, arc.v, distance);
         return t <= horizon ? t : kNever;
     }
-    if (stay_apart_along(arc, distance, horizon)) return kNever;
+    if (stay_apart_along(dot(arc.c, arc.c), dot(arc.c, arc.v), dot(arc.c, arc.a), distance,
+                         horizon))
+        return kNever;
     return first_contact_curved(arc, distance, horizon);
 }
 

@@ -27,6 +27,10 @@ struct RelativeArc {
 [[nodiscard]] double first_contact(const RelativeArc<Vec2>& arc, double distance, double horizon);
 [[nodiscard]] double first_contact(const RelativeArc<Vec3>& arc, double distance, double horizon);
 
+/// True only if first_contact() of (c, v, a) is kNever, by bounds that cost no root and hardly a
+/// division: most pairs that never meet are found so. The horizon is finite.
+[[nodiscard]] bool stay_apart(Vec2 c, Vec2 v, Vec2 a, double distance, double horizon);
+
 /// As first_contact(), for a centre that moves along v and loses `deceleration` (m/s^2) until it
 /// stops.
 [[nodiscard]] double first_contact_straight(Vec2 c, Vec2 v, double deceleration, double distance,

@@ -25,6 +25,10 @@ struct MovingBall {
     std::size_t partner = kNobody;
 };
 
+[[nodiscard]] constexpr BallState state_of(const MovingBall& ball) {
+    return {{ball.r.x, ball.r.y, ball.height}, {ball.v.x, ball.v.y, ball.climb}, ball.w};
+}
+
 [[nodiscard]] constexpr bool in_play(const MovingBall& ball) {
     return ball.motion != Motion::kPocketed && ball.motion != Motion::kOffTable;
 }
@@ -40,8 +44,12 @@ struct MovingBall {
 
 /// How far apart the centres of two balls are, in the plane, when they touch on the cloth (m):
 /// 2 sqrt(R_a R_b), since centres of different radius are at different heights.
+[[nodiscard]] inline double contact_distance(double radius_a, double radius_b) {
+    return radius_a == radius_b ? 2 * radius_a : 2 * std::sqrt(radius_a * radius_b);
+}
+
 [[nodiscard]] inline double contact_distance(const MovingBall& a, const MovingBall& b) {
-    return a.radius == b.radius ? 2 * a.radius : 2 * std::sqrt(a.radius * b.radius);
+    return contact_distance(a.radius, b.radius);
 }
 
 }  // namespace poolhall

@@ -33,11 +33,14 @@ class PairTimes {
         set_one(b, a, t);
     }
 
-    /// The ball meets nobody, until set anew.
-    void forget(std::size_t ball) {
+    /// The ball meets nobody, until set anew. Calls changed(other) for those whose first it was.
+    template <class Changed>
+    void forget(std::size_t ball, Changed changed) {
         for_each_partner(ball, [&](std::size_t other, double) {
             meets_[other * words_ + ball / kBits] &= ~bit_of(ball);
-            if (partner_[other] == ball) find_first(other);
+            if (partner_[other] != ball) return;
+            find_first(other);
+            changed(other);
         });
         for (std::size_t word = 0; word < words_; ++word)
             meets_[ball * words_ + word] = 0;

@@ -58,19 +58,9 @@ bool ShotRun::any_moves() const {
     });
 }
 
-BallState ShotRun::state_of(const MovingBall& ball) {
-    return {place(ball), {ball.v.x, ball.v.y, ball.climb}, ball.w};
-}
-
 ShotEvent& ShotRun::add_event(double t, EventKind kind, std::size_t ball,
                               const MovingBall& before) {
-    ShotEvent& event = trace_.events.emplace_back();
-    event.t = t;
-    event.kind = kind;
-    event.balls[0] = index_of(ball);
-    event.before[0] = state_of(before);
-    event.after[0] = state_of(balls()[ball]);
-    return event;
+    return trace_.events.emplace_back(t, kind, index_of(ball), before, balls()[ball]);
 }
 
 void ShotRun::record(double t, EventKind kind, std::size_t ball, const MovingBall& before) {

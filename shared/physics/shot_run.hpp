@@ -1,12 +1,14 @@
 #pragma once
 
 #include "shared/physics/arc.hpp"
-#include "shared/physics/box.hpp"
+#include "shared/physics/boxes.hpp"
 #include "shared/physics/contact.hpp"
+#include "shared/physics/course.hpp"
 #include "shared/physics/moving_ball.hpp"
 #include "shared/physics/own_event.hpp"
 #include "shared/physics/pair_times.hpp"
 #include "shared/physics/scene.hpp"
+#include "shared/physics/soonest.hpp"
 #include "shared/physics/swept_boxes.hpp"
 #include "shared/physics/trace.hpp"
 
@@ -37,8 +39,10 @@ struct Workspace {
     std::vector<MovingBall> launched;  ///< as it was at its arc's beginning
     std::vector<Vec3> drift;           ///< along the arc's chord, m/s
     std::vector<OwnEvent> own;
+    std::vector<Course> courses;
     Boxes reach;  ///< of the arc up to its own event
     PairTimes pairs;
+    Soonest due;  ///< own event or meeting
 };
 
 /// A shot in progress: its balls, and the trace that is written of it. The solvers drive it.
@@ -95,7 +99,6 @@ class ShotRun {
   private:
     void strike();
     void end_samples();
-    [[nodiscard]] static BallState state_of(const MovingBall& ball);
     /// Ends the ball's part in the shot.
     ShotEvent& take_away(double t, std::size_t ball, Motion to, EventKind kind);
     ShotEvent& add_event(double t, EventKind kind, std::size_t ball, const MovingBall& before);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/physics/moving_ball.hpp"
 #include "shared/physics/scene.hpp"
 
 #include <array>
@@ -26,6 +27,17 @@ enum class EventKind : std::uint8_t {
 /// Something that happened at an instant. One or two balls take part (ball_count); where it is one,
 /// the second places mean nothing. `rail` and `pocket` mean something only for their kinds.
 struct ShotEvent {
+    ShotEvent() = default;
+
+    /// What happened to one ball.
+    ShotEvent(double time, EventKind what, BallIndex ball, const MovingBall& was,
+              const MovingBall& is)
+        : t(time),
+          kind(what),
+          balls{ball, {}},
+          before{state_of(was), {}},
+          after{state_of(is), {}} {}
+
     double t = 0;  ///< s since the strike
     EventKind kind = EventKind::kStrike;
     std::uint8_t ball_count = 1;

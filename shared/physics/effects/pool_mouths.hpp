@@ -44,9 +44,7 @@ class PoolMouths {
     }
 
     [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, double time) const {
-        Box box = Box::around(ball.r, ball.radius);
-        box.add(ball.r + time * v, ball.radius);
-        return may_reach(box);
+        return may_reach(Box::around(ball.r, ball.r + time * v, ball.radius));
     }
 
     /// The first capture of a ball that moves from r with velocity v, within `time` s.

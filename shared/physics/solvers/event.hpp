@@ -40,7 +40,11 @@ class EventSolver {
         const std::size_t n = balls_.size();
         work_.arcs.resize(n);
         work_.own.resize(n);
-        work_.reach.resize(n);
+        work_.due.reset(n);
+        work_.courses.resize(n);
+        const Table& table = run_.scene().table;
+        work_.reach.reset(
+            n, Box{-table.length / 2, table.length / 2, -table.width / 2, table.width / 2});
         work_.pairs.reset(n);
         for (std::size_t i = 0; i < n; ++i) {
             cloth_.settle(balls_[i]);
@@ -50,30 +54,11 @@ class EventSolver {
             find_partners(i, i + 1);
     }
 
-    /// What comes next.
-    struct Due {
-        double t = kNever;
-        std::size_t ball = 0;
-        bool own = false;       ///< the ball's own event, else its first meeting
-        std::size_t count = 0;  ///< how often t was seen: once for an own event, twice for a pair
-
-        [[nodiscard]] bool is_alone() const { return count == (own ? 1U : 2U); }
-
-        void consider(double other, std::size_t i, bool is_own) {
-            if (other > t) return;
-            count = other < t ? 1 : count + 1;
-            if (other == t) return;
-            t = other;
-            ball = i;
-            own = is_own;
-        }
-    };
-
     Outcome run_events() {
         const Limits& limits = run_.scene().limits;
         int at_once = 0;
         while (true) {
-            const Due due = next_due();
+            const Soonest::Found due = work_.due.find();
             const double end = limits.time - epoch_;
             if (due.t == kNever && !run_.any_moves()) {
                 run_.sample_at(time());
@@ -85,8 +70,7 @@ class EventSolver {
             at_once = due.t > now_ ? 0 : at_once + 1;
             if (at_once > kMaxEventsPerInstant) return stop_at(now_, Outcome::kStalled);
             now_ = due.t;
-            if (!(due.is_alone() ? happen_alone(due) : happen_together()))
-                return stop_at(now_, Outcome::kStalled);
+            if (!happen(due)) return stop_at(now_, Outcome::kStalled);
             if (now_ >= kEpoch) begin_epoch();
         }
     }
@@ -104,17 +88,12 @@ class EventSolver {
             work_.arcs[i].since -= passed;
             work_.arcs[i].until -= passed;
             work_.own[i].t -= passed;
+            work_.courses[i].since -= passed;
+            work_.courses[i].until -= passed;
         }
         work_.pairs.set_back(passed);
-    }
-
-    [[nodiscard]] Due next_due() const {
-        Due due;
-        for (std::size_t i = 0; i < balls_.size(); ++i) {
-            due.consider(work_.own[i].t, i, true);
-            due.consider(work_.pairs.first(i), i, false);
-        }
-        return due;
+        for (std::size_t i = 0; i < balls_.size(); ++i)
+            plan(i);
     }
 
     void sample_before(double t) {
@@ -133,7 +112,7 @@ class EventSolver {
     /// Brings all balls to t, where the shot is cut off.
     Outcome stop_at(double t, Outcome outcome) {
         for (std::size_t i = 0; i < balls_.size(); ++i) {
-            if (in_play(balls_[i])) balls_[i] = ball_on(balls_[i], work_.arcs[i], t);
+            if (in_play(balls_[i])) advance(balls_[i], work_.arcs[i], t);
         }
         now_ = t;
         run_.sample_at(time());
@@ -146,21 +125,39 @@ class EventSolver {
     void launch(std::size_t i) {
         const MovingBall& ball = balls_[i];
         Arc& arc = work_.arcs[i];
-        arc = in_play(ball) ? cloth_.arc_of(ball, now_) : Arc{};
-        arc.since = now_;
-        const Box whole = in_play(ball) ? box_around(ball, arc, arc.until) : Box::nothing();
         OwnEvent& own = work_.own[i];
-        own = OwnEventSearch<Set>(set_, ball, arc, whole).find();
-        work_.reach.set(i, own.t < arc.until ? box_around(ball, arc, own.t) : whole);
+        if (!in_play(ball)) {
+            arc = {};
+            own = {};
+            work_.reach.remove(i);
+            return;
+        }
+        cloth_.find_arc(ball, now_, arc);
+        const Box whole = box_around(ball, arc, arc.until);
+        OwnEventSearch<Set>(set_, ball, arc, whole, own).find();
+        work_.courses[i].set(ball, arc, own.t);
+        if (own.t < arc.until) {
+            work_.reach.set(i, box_around(ball, arc, own.t));
+        } else {
+            work_.reach.set(i, whole);
+        }
     }
 
     /// Finds whom ball i, whose arc begins now, meets among those from `from` on.
     void find_partners(std::size_t i, std::size_t from) {
+        const Course& course = work_.courses[i];
         work_.reach.for_each_overlap(i, from, [&](std::size_t j) {
+            if (!may_meet(course, work_.courses[j], now_)) return;
             const double t = now_ + meeting(i, j);
-            if (t < kNever) work_.pairs.set(i, j, t);
+            if (t == kNever) return;
+            work_.pairs.set(i, j, t);
+            plan(j);
         });
+        plan(i);
     }
+
+    /// Notes when something happens to the ball next.
+    void plan(std::size_t i) { work_.due.set(i, std::min(work_.own[i].t, work_.pairs.first(i))); }
 
     /// In how many s ball i, whose arc begins now, meets ball j, if it is before either's own
     /// event.
@@ -212,11 +209,12 @@ class EventSolver {
         const Vec2 c = b.r - a.r;
         const Vec2 v = b.v - a.v;
         const Vec2 acceleration = work_.arcs[j].a - work_.arcs[i].a;
-        return first_contact(RelativeArc<Vec3>{{c.x, c.y, rise},
-                                               {v.x, v.y, b.climb - a.climb},
-                                               {acceleration.x, acceleration.y,
-                                                work_.arcs[i].gravity - work_.arcs[j].gravity}},
-                             a.radius + b.radius, horizon);
+        const RelativeArc<Vec3> arc{
+            {c.x, c.y, rise},
+            {v.x, v.y, b.climb - a.climb},
+            {acceleration.x, acceleration.y, work_.arcs[i].gravity - work_.arcs[j].gravity}};
+        const double distance = a.radius + b.radius;
+        return first_contact(arc, distance, horizon);
     }
 
     /// True for balls that touch, are not pressed together, and approach no more than rounding
@@ -233,27 +231,36 @@ class EventSolver {
 
     // --- letting it happen -------------------------------------------------------------------
 
-    /// The ordinary case: one thing at a time. False if it does not settle.
-    bool happen_alone(const Due& due) {
-        work_.contacts.clear();
-        if (!due.own) {
-            const std::size_t other = work_.pairs.partner(due.ball);
-            work_.contacts.push_back(
-                ball_contact(std::min(due.ball, other), std::max(due.ball, other)));
-            return collide();
-        }
-        switch (work_.own[due.ball].kind) {
+    /// False if it does not settle.
+    bool happen(const Soonest::Found& due) {
+        if (due.count == 1) return happen_alone(due.ball);
+        const std::size_t other = work_.pairs.partner(due.ball);
+        const bool is_pair =
+            due.count == 2 && work_.own[due.ball].t > now_ && work_.own[other].t > now_;
+        return is_pair ? meet_alone(due.ball, other) : happen_together();
+    }
+
+    /// The ordinary case: one thing at a time.
+    bool happen_alone(std::size_t i) {
+        switch (work_.own[i].kind) {
             case OwnEvent::Kind::kTransition:
-                transition(due.ball);
+                transition(i);
                 return true;
             case OwnEvent::Kind::kCapture:
-                capture(due.ball);
+                capture(i);
                 return true;
             case OwnEvent::Kind::kRail:
-                add_rails(due.ball);
+                work_.contacts.clear();
+                add_rails(i);
                 return collide();
         }
         return false;
+    }
+
+    bool meet_alone(std::size_t i, std::size_t j) {
+        work_.contacts.clear();
+        work_.contacts.push_back(ball_contact(std::min(i, j), std::max(i, j)));
+        return collide();
     }
 
     /// Several things at one instant: transitions, or else captures, or else the contacts as one
@@ -290,7 +297,7 @@ class EventSolver {
     }
 
     void capture(std::size_t i) {
-        balls_[i] = ball_on(balls_[i], work_.arcs[i], now_);
+        advance(balls_[i], work_.arcs[i], now_);
         run_.capture(time(), i, work_.own[i].pocket);
         refresh(i);
     }
@@ -301,7 +308,7 @@ class EventSolver {
     }
 
     void renew_partners(std::size_t i) {
-        work_.pairs.forget(i);
+        work_.pairs.forget(i, [this](std::size_t j) { plan(j); });
         find_partners(i, 0);
     }
 
@@ -339,7 +346,7 @@ class EventSolver {
 
     void bring_to_now(std::size_t i) {
         if (work_.arcs[i].since == now_) return;
-        balls_[i] = ball_on(balls_[i], work_.arcs[i], now_);
+        advance(balls_[i], work_.arcs[i], now_);
         work_.arcs[i].since = now_;
     }
 

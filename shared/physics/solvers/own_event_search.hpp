@@ -15,19 +15,26 @@ namespace poolhall {
 template <class Set>
 class OwnEventSearch {
   public:
-    /// `reach` is where the ball's surface gets on the whole arc.
-    OwnEventSearch(const Set& set, const MovingBall& ball, const Arc& arc, const Box& reach)
-        : set_(set), ball_(ball), arc_(arc), reach_(reach), horizon_(arc.until - arc.since) {
+    /// `reach` is where the ball's surface gets on the whole arc; what is found goes to `event`.
+    OwnEventSearch(const Set& set, const MovingBall& ball, const Arc& arc, const Box& reach,
+                   OwnEvent& event)
+        : set_(set),
+          ball_(ball),
+          arc_(arc),
+          reach_(reach),
+          horizon_(arc.until - arc.since),
+          event_(event) {
         event_.t = arc.until;
+        event_.kind = OwnEvent::Kind::kTransition;
+        event_.touch_count = 0;
     }
 
-    [[nodiscard]] OwnEvent find() {
-        if (!moves_centre(ball_.motion)) return event_;
+    void find() {
+        if (!moves_centre(ball_.motion)) return;
         if constexpr (Set::template kHas<Rails>) find_rails(set_.template effect<Rails>());
         if constexpr (Set::template kHas<PoolMouths>)
             find_cushions(set_.template effect<PoolMouths>());
         if (ball_.motion != Motion::kAirborne) find_pockets();
-        return event_;
     }
 
   private:
@@ -138,6 +145,7 @@ class OwnEventSearch {
                                    first_contact_straight(c, ball_.v, 0, distance, kNever));
         if (ball_.motion == Motion::kRolling)
             return first_contact_straight(c, ball_.v, norm(arc_.a), distance, horizon_);
+        if (stay_apart(c, ball_.v, arc_.a, distance, horizon_)) return kNever;
         return first_contact({c, ball_.v, arc_.a}, distance, horizon_);
     }
 
@@ -146,7 +154,7 @@ class OwnEventSearch {
     const Arc& arc_;
     const Box& reach_;
     double horizon_;
-    OwnEvent event_;
+    OwnEvent& event_;
 };
 
 }  // namespace poolhall
