@@ -50,10 +50,12 @@ App::App(const Options& options)
 
 std::unique_ptr<Match> App::make_match(const Options& options) {
     if (!options.server)
-        return std::make_unique<PracticeMatch>(kEndGameRules, options.name, playback_);
+        return std::make_unique<PracticeMatch>(kEndGameRules, options.name, playback_,
+                                               options.settings);
     transport_ =
         std::make_unique<WebSocketTransport>(*options.server, options.encoding, wake_window);
-    Wish wish{to_string(*options.server), options.code, options.name, options.watch};
+    Wish wish{to_string(*options.server), options.code, options.name, options.watch,
+              options.settings};
     return std::make_unique<RemoteMatch>(std::move(wish), *transport_, tokens_, playback_);
 }
 

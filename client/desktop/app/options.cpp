@@ -1,7 +1,9 @@
 #include "client/desktop/app/options.hpp"
 
+#include "client/desktop/match/physics_file.hpp"
 #include "client/desktop/view/table_view.hpp"
 #include "protocol/text.hpp"
+#include "shared/game/end_game.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
@@ -14,6 +16,7 @@ struct Typed {
     std::string server;
     std::string match;
     std::string name;
+    std::string physics;
     std::string encoding = "json";
     std::string screenshots = ".";
     bool watch = false;
@@ -32,6 +35,10 @@ void declare(CLI::App& app, Typed& typed) {
     auto* practice = app.add_flag("--practice", typed.practice,
                                   "play alone and offline (the default without a server)");
     practice->excludes("--server")->excludes(match);
+    app.add_option("--physics", typed.physics,
+                   "play with the effects and the solver of this poolhall.scene/1 file")
+        ->type_name("FILE")
+        ->excludes(match);
     app.add_option("--encoding", typed.encoding, "of the messages")
         ->check(CLI::IsMember({"json", "cbor"}))
         ->capture_default_str();
@@ -72,6 +79,11 @@ Result<Options, EarlyExit> options_of(const Typed& typed) {
     if (!protocol::is_utf8(options.name)) return bad("--name: not UTF-8");
     if (const auto fault = protocol::find_name_fault(options.name))
         return bad("--name: " + std::string(*fault));
+    if (!typed.physics.empty()) {
+        const auto settings = read_physics(typed.physics, kEndGameRules);
+        if (!settings) return bad("--physics: " + settings.error());
+        options.settings = *settings;
+    }
     if (typed.server.empty() && typed.match.empty()) return options;
 
     const std::string server = typed.server.empty() ? std::string(kDefaultServer) : typed.server;

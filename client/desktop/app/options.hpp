@@ -2,6 +2,7 @@
 
 #include "client/desktop/net/server_address.hpp"
 #include "protocol/codec.hpp"
+#include "shared/game/settings.hpp"
 #include "shared/result.hpp"
 
 #include <filesystem>
@@ -15,6 +16,7 @@ struct Options {
     std::optional<ServerAddress> server;  ///< none: practice, alone and offline
     std::string code;                     ///< as normalize_code gives it; empty: a new match
     bool watch = false;
+    GameSettings settings;  ///< of a match or practice that begins here
     std::string name;
     protocol::Encoding encoding = protocol::Encoding::kJson;
     std::filesystem::path screenshots = ".";  ///< folder
@@ -28,6 +30,7 @@ struct EarlyExit {
     std::string text;  ///< for standard output when status is 0, else one line for standard error
 };
 
+/// Also reads the file that --physics names.
 [[nodiscard]] Result<Options, EarlyExit> parse_options(int argc, const char* const* argv);
 
 }  // namespace poolhall::client

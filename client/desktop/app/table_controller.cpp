@@ -221,6 +221,7 @@ ViewState TableController::view() const {
     if (collision_mode_) view.marks = marks_.marks();
     view.match = match_view();
     view.banner = banner(info, shown_);
+    if (frame_rate_ || has_own_physics(info)) view.physics = physics_of(info);
     view.status = status_;
     view.hint = hint(info, shown_, step_mode_);
     view.step_mode = step_mode_;

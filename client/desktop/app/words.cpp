@@ -2,6 +2,9 @@
 
 #include "client/desktop/match/remote_match.hpp"
 
+#include <array>
+#include <cstdio>
+
 namespace poolhall::client {
 namespace {
 
@@ -104,6 +107,24 @@ std::optional<Banner> banner(const MatchInfo& info, const ShownTable& shown) {
 Tone tone_of(const Ruling& result, const MatchInfo& info) {
     const Seat loser = opponent(*result.winner);
     return info.mine[loser.value] && !info.hot_seat() ? Tone::kLost : Tone::kWon;
+}
+
+std::string physics_of(const MatchInfo& info) {
+    if (!info.table) return "";
+    const auto [kind, hz] = info.table->scene.solver;
+    std::string words(name(kind));
+    std::array<char, 32> rate{};
+    std::snprintf(rate.data(), rate.size(), " %g Hz", hz);
+    if (kind != SolverKind::kEvent) words += rate.data();
+    return info.kernel.empty() ? words : words + ", " + info.kernel;
+}
+
+bool has_own_physics(const MatchInfo& info) {
+    const Ruleset* rules = info.table ? find_ruleset(info.table->game) : nullptr;
+    if (rules == nullptr) return false;
+    const Scene own = rules->new_game(Seat{0}).scene;
+    const Scene& played = info.table->scene;
+    return played.effects != own.effects || played.solver != own.solver;
 }
 
 }  // namespace poolhall::client

@@ -17,4 +17,10 @@ namespace poolhall::client {
 /// joy.
 [[nodiscard]] Tone tone_of(const Ruling& result, const MatchInfo& info);
 
+/// "euler 30 Hz, drag_rails_pockets": the solver, and the kernel of the last shot if there was one.
+[[nodiscard]] std::string physics_of(const MatchInfo& info);
+
+/// Whether the match is played with other physics than its game's own.
+[[nodiscard]] bool has_own_physics(const MatchInfo& info);
+
 }  // namespace poolhall::client

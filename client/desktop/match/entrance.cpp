@@ -7,10 +7,16 @@ using protocol::RejectCode;
 
 ClientBody Entrance::request() {
     if (wish_.watch) return protocol::WatchMatch{wish_.code, wish_.name};
-    if (wish_.code.empty()) return protocol::CreateMatch{wish_.name};
+    if (wish_.code.empty()) return new_match();
     if (token_.empty()) token_ = tokens_.claim(wish_.server, wish_.code).value_or("");
     if (token_.empty()) return protocol::JoinMatch{wish_.code, wish_.name};
     return protocol::Resume{wish_.code, token_};
+}
+
+protocol::CreateMatch Entrance::new_match() const {
+    protocol::CreateMatch match{wish_.name};
+    if (wish_.settings != GameSettings{}) match.settings = wish_.settings;
+    return match;
 }
 
 void Entrance::entered(const protocol::Joined& joined) {

@@ -13,7 +13,8 @@ struct Wish {
     std::string server;  ///< "host:port"; tokens are kept for it
     std::string code;    ///< as normalize_code gives it; empty: a new match
     std::string name;
-    bool watch = false;  ///< as a spectator
+    bool watch = false;       ///< as a spectator
+    GameSettings settings{};  ///< of a new match
 };
 
 /// How to get into the match, first and after every loss of the connection: by a token for a seat
@@ -29,6 +30,8 @@ class Entrance {
     [[nodiscard]] std::optional<protocol::ClientBody> request_after(protocol::RejectCode refusal);
 
   private:
+    [[nodiscard]] protocol::CreateMatch new_match() const;
+
     Wish wish_;  ///< its code becomes that of the match once it is known
     TokenStore& tokens_;
     std::string token_;

@@ -19,6 +19,7 @@ struct MatchInfo {
     std::array<bool, kSeatCount> mine{};  ///< seats played from here
     Link link = Link::kOffline;
     std::optional<double> round_trip_ms;
+    std::string kernel;  ///< that simulated the last shot; empty before one
     /// Why there is no table, or that the connection is lost; one sentence, empty when all is well.
     std::string trouble;
     std::uint64_t revision = 0;  ///< rises with every change

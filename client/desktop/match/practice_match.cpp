@@ -1,5 +1,6 @@
 #include "client/desktop/match/practice_match.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -12,13 +13,16 @@ Shot played_shot(std::uint32_t number, const ShotOutcome& outcome, BallIndex cue
     ShotTimeline timeline(positions_of(outcome.scene));
     std::size_t event = 0;
     std::vector<ShotTimeline::Moved> moved(trace.balls.size());
-    for (std::size_t k = 1; k < trace.sample_count(); ++k) {
+    // A shot that is over at once has one sample only, and events all the same.
+    const std::size_t last = std::max<std::size_t>(trace.sample_count(), 2) - 1;
+    for (std::size_t k = 1; k <= last; ++k) {
         const double t = static_cast<double>(k) / trace.sample_hz;
         const std::size_t first = event;
         while (event < trace.events.size() && trace.events[event].t <= t)
             ++event;
         for (std::size_t i = 0; i < moved.size(); ++i) {
-            moved[i] = {BallIndex{static_cast<std::uint16_t>(i)}, xy(trace.sample(k, i))};
+            moved[i] = {BallIndex{static_cast<std::uint16_t>(i)},
+                        xy(trace.sample(std::min(k, trace.sample_count() - 1), i))};
         }
         timeline.extend(t, std::span(trace.events).subspan(first, event - first), moved);
     }
@@ -28,8 +32,12 @@ Shot played_shot(std::uint32_t number, const ShotOutcome& outcome, BallIndex cue
 
 }  // namespace
 
-PracticeMatch::PracticeMatch(const Ruleset& rules, std::string player, Playback& playback)
-    : rules_(rules), playback_(playback), state_(rules.new_game(kPlayer)) {
+PracticeMatch::PracticeMatch(const Ruleset& rules, std::string player, Playback& playback,
+                             GameSettings settings)
+    : rules_(rules),
+      settings_(std::move(settings)),
+      playback_(playback),
+      state_(new_game(rules_, kPlayer, settings_)) {
     auto& table = info_.table.emplace();
     table.game = rules.name;
     table.seats[kPlayer.value] = {true, true, std::move(player), false, 0};
@@ -65,6 +73,7 @@ void PracticeMatch::shoot(Vec2 direction) {
     const BallIndex cue_ball = state_.cue_ball;
     ShotOutcome outcome = rules_.play(state_, command);
     auto& table = *info_.table;
+    info_.kernel = outcome.trace.kernel;
     playback_.begin(played_shot(table.shot + 1, outcome, cue_ball));
     table.ruling = outcome.ruling;
     table.shot += 1;
@@ -77,7 +86,7 @@ void PracticeMatch::shoot(Vec2 direction) {
 void PracticeMatch::ask_new_game() {
     if (!state_.over) return;
     playback_.clear();
-    state_ = rules_.new_game(kPlayer);
+    state_ = new_game(rules_, kPlayer, settings_);
     info_.table->game_number += 1;
     info_.table->ruling.reset();
     show_state();

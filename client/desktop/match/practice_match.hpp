@@ -2,6 +2,7 @@
 
 #include "client/desktop/match/match.hpp"
 #include "client/desktop/match/playback.hpp"
+#include "shared/game/settings.hpp"
 
 namespace poolhall::client {
 
@@ -9,7 +10,9 @@ namespace poolhall::client {
 /// the house.
 class PracticeMatch : public Match {
   public:
-    PracticeMatch(const Ruleset& rules, std::string player, Playback& playback);
+    /// The settings must have passed the rules' check().
+    PracticeMatch(const Ruleset& rules, std::string player, Playback& playback,
+                  GameSettings settings = {});
 
     [[nodiscard]] const MatchInfo& info() const override { return info_; }
 
@@ -31,6 +34,7 @@ class PracticeMatch : public Match {
     void show_state();
 
     const Ruleset& rules_;
+    const GameSettings settings_;
     Playback& playback_;
     GameState state_;
     MatchInfo info_;

@@ -168,6 +168,7 @@ std::string connection_line(const ViewState& state) {
     }
     if (match.spectators > 0)
         line += std::string(kBetween) + std::to_string(match.spectators) + " watching";
+    if (!state.physics.empty()) line += std::string(kBetween) + state.physics;
     if (state.frames_per_second) {
         std::snprintf(number.data(), number.size(), "%.0f fps", *state.frames_per_second);
         line += std::string(kBetween) + number.data();

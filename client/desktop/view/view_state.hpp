@@ -84,6 +84,7 @@ struct ViewState {
     bool help = false;
     bool muted = false;
     std::optional<double> frames_per_second;  ///< shown when set
+    std::string physics;                      ///< solver and kernel; not shown when empty
 };
 
 }  // namespace poolhall::client

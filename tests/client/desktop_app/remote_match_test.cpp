@@ -63,9 +63,18 @@ TEST_F(RemoteMatchTest, WithoutACodeItMakesANewMatch) {
     open({"h:1", "", "Anna", false});
     ASSERT_EQ(sent<CreateMatch>().size(), 1U);
     EXPECT_EQ(sent<CreateMatch>()[0].name, "Anna");
+    EXPECT_FALSE(sent<CreateMatch>()[0].settings);
     joined({Seat{0}});
     EXPECT_EQ(match_->info().link, Link::kOnline);
     EXPECT_EQ(match_->info().acting_seat(), Seat{0});
+}
+
+TEST_F(RemoteMatchTest, NewMatchGetsTheChosenPhysics) {
+    GameSettings settings;
+    settings.solver = SolverSpec{SolverKind::kEvent, 30};
+    open({"h:1", "", "Anna", false, settings});
+    ASSERT_EQ(sent<CreateMatch>().size(), 1U);
+    EXPECT_EQ(sent<CreateMatch>()[0].settings, settings);
 }
 
 TEST_F(RemoteMatchTest, WithACodeItJoins) {

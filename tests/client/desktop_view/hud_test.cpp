@@ -31,6 +31,12 @@ TEST(ConnectionLineTest, CountsSpectatorsAndFrames) {
     EXPECT_EQ(connection_line(state), "Offline  \xC2\xB7  3 watching  \xC2\xB7  60 fps");
 }
 
+TEST(ConnectionLineTest, NamesThePhysics) {
+    ViewState state;
+    state.physics = "event, everything";
+    EXPECT_EQ(connection_line(state), "Offline  \xC2\xB7  event, everything");
+}
+
 TEST(HelpTextTest, EachKeyIsThereOnceAndHasAnAction) {
     std::set<std::string_view> keys;
     for (const KeyRow& row : kKeyTable) {
