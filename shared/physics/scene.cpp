@@ -1,5 +1,6 @@
 #include "shared/physics/scene.hpp"
 
+#include "shared/physics/effects/kernels.hpp"
 #include "shared/physics/scene_checks.hpp"
 #include "shared/table/pool_table.hpp"
 
@@ -85,6 +86,8 @@ MaybeError check_solver(const Scene& scene) {
     if (!is_euler(kind) && drag && cloth)
         return SceneError{"/solver/kind",
                           "has no closed form of linear_drag together with sliding or rolling"};
+    if (!is_euler(kind) && SetOf<AllEffects>::calls_for_force(scene))
+        return SceneError{"/solver/kind", "has no closed form of a force that the scene calls for"};
     if (kind == SolverKind::kOverlap && scene.table.pockets == PocketModel::kPool)
         return SceneError{"/solver/kind", "overlap knows no mouths: not on a pool table"};
     if (kind == SolverKind::kOverlap && effects.airborne)

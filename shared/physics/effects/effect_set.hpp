@@ -8,6 +8,13 @@
 
 namespace poolhall {
 
+/// A force on a ball that moves: push(ball, dt) changes its velocity and spin for a step of dt s,
+/// after cloth and drag. It has no closed form, so only the stepping solvers take it.
+template <class Effect>
+concept ForceEffect = requires(const Effect& effect, MovingBall& ball) {
+    effect.push(ball, 0.0);
+};
+
 /// A set of effects chosen at compile time. An effect is a class that is made from a Scene, says
 /// `called_for(scene)`, and has the hooks that the solvers ask for with `if constexpr
 /// (Set::template kHas<Effect>)`; one that is not in the set leaves no instruction behind.
@@ -34,6 +41,11 @@ class EffectSet {
     template <class All>
     [[nodiscard]] static bool covers(const Scene& scene) {
         return covers(scene, std::type_identity<All>{});
+    }
+
+    /// True if the scene calls for a force of the set.
+    [[nodiscard]] static bool calls_for_force([[maybe_unused]] const Scene& scene) {
+        return ((ForceEffect<Effect> && Effect::called_for(scene)) || ...);
     }
 
   private:
@@ -67,13 +79,6 @@ template <class Effect>
 concept PocketEffect = requires(const Effect& effect, Vec2 r) {
     effect.first_capture(r, r, 0.0);
     effect.at(r);
-};
-
-/// A force on a ball that moves: push(ball, dt) changes its velocity and spin for a step of dt s,
-/// after cloth and drag. It has no closed form, so only the stepping solvers take it.
-template <class Effect>
-concept ForceEffect = requires(const Effect& effect, MovingBall& ball) {
-    effect.push(ball, 0.0);
 };
 
 }  // namespace poolhall

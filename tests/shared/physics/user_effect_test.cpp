@@ -61,6 +61,15 @@ TEST(UserEffect, BallOnATiltedTableWithoutClothRunsOnAParabola) {
     }
 }
 
+TEST(UserEffect, IsAForceThatSolversInClosedFormCanRefuse) {
+    Scene scene = along_the_table();
+    using Tilted = EffectSet<Sliding, TiltedTable>;
+    EXPECT_TRUE(Tilted::calls_for_force(scene));
+    scene.gravity = 0;
+    EXPECT_FALSE(Tilted::calls_for_force(scene));
+    EXPECT_FALSE((EffectSet<Sliding, Rolling>::calls_for_force(scene)));
+}
+
 TEST(UserEffect, WorksTogetherWithTheLibrarysEffects) {
     Scene scene = along_the_table();
     scene.effects = testing::cloth_effects();
