@@ -51,8 +51,14 @@ bool part_pairs(Scene& scene) {
 }  // namespace
 
 void lay_at_rest(Scene& scene, const ShotTrace& trace) {
-    for (std::size_t i = 0; i < trace.balls.size(); ++i)
-        scene.balls[i].state = {{trace.balls[i].state.r.x, trace.balls[i].state.r.y, 0}, {}, {}};
+    for (std::size_t i = 0; i < trace.balls.size(); ++i) {
+        BallState& state = scene.balls[i].state;
+        state = trace.balls[i].state;
+        // What rests already stays as it is to the bit, the sign of a zero included.
+        if (state.r.z != 0) state.r.z = 0;
+        if (state.v != Vec3{}) state.v = {};
+        if (state.w != Vec3{}) state.w = {};
+    }
 }
 
 void part_overlapping(Scene& scene) {

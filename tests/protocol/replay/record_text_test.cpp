@@ -1,5 +1,6 @@
 #include "protocol/replay/record_text.hpp"
 
+#include "protocol/replay/line.hpp"
 #include "tests/protocol/replay/played_match.hpp"
 
 #include <gtest/gtest.h>
@@ -48,6 +49,11 @@ TEST(RecordText, KeepsEveryBitOfAShot) {
         EXPECT_EQ(copy.duration, shot->duration);
         EXPECT_EQ(copy.event_times, shot->event_times);
     }
+}
+
+TEST(RecordText, OfTheEndGameIsByteForByteWhatItWasWithoutSettings) {
+    const std::string file = test::replay_file(test::played_match("m1", 100));
+    EXPECT_EQ(checksum_text(file), "8a01684824b297e5");
 }
 
 TEST(RecordText, IsOneLine) {
