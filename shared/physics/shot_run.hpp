@@ -8,8 +8,8 @@
 #include "shared/physics/own_event.hpp"
 #include "shared/physics/pair_times.hpp"
 #include "shared/physics/scene.hpp"
+#include "shared/physics/solvers/stepping_memory.hpp"
 #include "shared/physics/soonest.hpp"
-#include "shared/physics/swept_boxes.hpp"
 #include "shared/physics/trace.hpp"
 
 #include <limits>
@@ -34,10 +34,9 @@ struct Workspace {
     std::vector<FoundCapture> captures;
     std::vector<std::size_t> transitions;  ///< balls
     // Of each ball.
-    SweptBoxes boxes;
+    SteppingMemory stepping;
     std::vector<Arc> arcs;
     std::vector<MovingBall> launched;  ///< as it was at its arc's beginning
-    std::vector<Vec3> drift;           ///< along the arc's chord, m/s
     std::vector<OwnEvent> own;
     std::vector<Course> courses;
     Boxes reach;  ///< of the arc up to its own event

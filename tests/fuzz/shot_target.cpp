@@ -95,11 +95,9 @@ Scene choose_scene(Bytes& bytes) {
     return scene;
 }
 
-/// How far balls may overlap, m: what the solver promises. The chords of exact_arc cut off what
-/// cloth friction does within a tick, and `overlap` promises nothing.
+/// How far balls may overlap, m: what the solver promises; `overlap` promises nothing.
 double tolerance_of(SolverKind solver) {
-    if (solver == SolverKind::kOverlap) return 1;
-    return solver == SolverKind::kExactArc ? 1e-2 : 2 * kTouchTolerance;
+    return solver == SolverKind::kOverlap ? 1 : 2 * kTouchTolerance;
 }
 
 }  // namespace

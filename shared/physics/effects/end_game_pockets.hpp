@@ -20,6 +20,11 @@ class EndGamePockets {
         return active_ ? map_.first_capture(r, v, time) : std::nullopt;
     }
 
+    /// Up to which |x| and |y| a centre meets none of them, m.
+    [[nodiscard]] Vec2 clear_area(double /*radius*/) const {
+        return {kNever, active_ ? map_.near_rail_y() : kNever};
+    }
+
     /// The first capture on an arc; t in s from its beginning. Captures begin where |x| or |y|
     /// passes one of three lines, so between two such instants nothing changes.
     [[nodiscard]] std::optional<Capture> first_capture_on(const MovingBall& ball,

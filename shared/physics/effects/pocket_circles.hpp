@@ -1,9 +1,9 @@
 #pragma once
 
 #include "shared/physics/box.hpp"
+#include "shared/physics/effects/circle_captures.hpp"
 #include "shared/physics/moving_ball.hpp"
 #include "shared/physics/scene.hpp"
-#include "shared/physics/time_of_impact.hpp"
 #include "shared/table/pockets.hpp"
 
 #include <algorithm>
@@ -35,35 +35,29 @@ class PocketCircles {
         return box.high_y >= free_y_ || box.low_y <= -free_y_;
     }
 
+    /// Up to which |x| and |y| a centre meets none of them, m.
+    [[nodiscard]] Vec2 clear_area(double /*radius*/) const {
+        return {std::numeric_limits<double>::infinity(), free_y_};
+    }
+
     /// The first capture of a ball that moves from r with velocity v, within `time` s.
     [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
         // Pockets are usually at the long rails, and most ticks pass far from them.
         constexpr double kGenerous = 1 + 0x1p-30;
         if (kGenerous * (std::abs(r.y) + std::abs(v.y) * time) < free_y_) return std::nullopt;
-        std::optional<Capture> first;
-        for (std::size_t i = 0; i < circles_.size(); ++i) {
-            const PocketCircle& circle = circles_[i];
-            const std::optional<double> t =
-                inside(circle, r) ? 0 : time_of_impact({r, v}, {circle.centre, {}}, circle.radius);
-            if (t && *t <= time && (!first || *t < first->t))
-                first = Capture{*t, static_cast<Pocket>(i)};
-        }
-        return first;
+        return first_capture_by(circles_, pocket_of, {r, v}, time);
     }
 
     /// The pocket that holds a ball centred at r.
     [[nodiscard]] std::optional<Pocket> at(Vec2 r) const {
         for (std::size_t i = 0; i < circles_.size(); ++i) {
-            if (inside(circles_[i], r)) return static_cast<Pocket>(i);
+            if (is_in_circle(circles_[i], r)) return pocket_of(i);
         }
         return std::nullopt;
     }
 
   private:
-    static bool inside(const PocketCircle& circle, Vec2 r) {
-        const Vec2 c = r - circle.centre;
-        return dot(c, c) <= circle.radius * circle.radius;
-    }
+    static Pocket pocket_of(std::size_t circle) { return static_cast<Pocket>(circle); }
 
     std::span<const PocketCircle> circles_;
     double free_y_ =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shared/physics/box.hpp"
+#include "shared/physics/effects/circle_captures.hpp"
 #include "shared/physics/moving_ball.hpp"
 #include "shared/physics/scene.hpp"
 #include "shared/physics/time_of_impact.hpp"
@@ -37,10 +38,15 @@ class PoolMouths {
     /// False where a ball whose surface stays within the box touches nothing of rails and holes:
     /// most, most of the time.
     [[nodiscard]] bool may_reach(const Box& box) const {
-        // Holes come into the table less far than their mouths are wide.
-        const Vec2 free{nose_.x - kSideMouth.width, nose_.y - kSideMouth.width};
+        const Vec2 free = free_area();
         return active_ && (box.high_x >= free.x || box.low_x <= -free.x || box.high_y >= free.y ||
                            box.low_y <= -free.y);
+    }
+
+    /// Up to which |x| and |y| the centre of a ball touches nothing of rails and holes, m.
+    [[nodiscard]] Vec2 clear_area(double radius) const {
+        const Vec2 free = active_ ? free_area() : Vec2{kNever, kNever};
+        return {free.x - radius, free.y - radius};
     }
 
     [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, double time) const {
@@ -50,22 +56,14 @@ class PoolMouths {
     /// The first capture of a ball that moves from r with velocity v, within `time` s.
     [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
         if (!active_) return std::nullopt;
-        std::optional<Capture> first;
-        for (const Hole& hole : table_.holes()) {
-            const Vec2 c = r - hole.centre;
-            const bool inside = dot(c, c) <= hole.radius * hole.radius;
-            const std::optional<double> t =
-                inside ? 0 : time_of_impact({r, v}, {hole.centre, {}}, hole.radius);
-            if (t && *t <= time && (!first || *t < first->t)) first = Capture{*t, hole.pocket};
-        }
-        return first;
+        const auto pocket_of = [this](std::size_t hole) { return table_.holes()[hole].pocket; };
+        return first_capture_by(table_.holes(), pocket_of, {r, v}, time);
     }
 
     /// The hole that holds a ball centred at r.
     [[nodiscard]] std::optional<Pocket> at(Vec2 r) const {
         for (const Hole& hole : table_.holes()) {
-            const Vec2 c = r - hole.centre;
-            if (active_ && dot(c, c) <= hole.radius * hole.radius) return hole.pocket;
+            if (active_ && is_in_circle(hole, r)) return hole.pocket;
         }
         return std::nullopt;
     }
@@ -77,11 +75,13 @@ class PoolMouths {
     /// What a ball meets first if it moves on with velocity v; of a line and an arc at once the
     /// line, at whose end they have the same normal.
     [[nodiscard]] std::optional<CushionHit> straight_hit(const MovingBall& ball, Vec2 v) const {
+        // A dead cushion leaves nothing but rounding of what came in. No impact would end that.
+        const double rounding = 0x1p-48 * (std::abs(v.x) + std::abs(v.y));
         std::optional<CushionHit> first;
         for (const CushionLine& line : table_.lines()) {
             const double closing = dot(v, line.normal);
             const double gap = dot(line.from - ball.r, line.normal) - ball.radius;
-            if (closing <= 0 || !faces(gap)) continue;
+            if (closing <= rounding || !faces(gap)) continue;
             const double t = gap <= 0 ? 0 : gap / closing;
             if ((!first || t < first->t) && within(line, ball.r + t * v))
                 first = CushionHit{t, line.rail, line.normal};
@@ -90,12 +90,19 @@ class PoolMouths {
             const auto t = time_of_impact({ball.r, v}, {arc.centre, {}}, ball.radius + arc.radius);
             if (!t || (first && *t >= first->t)) continue;
             const Vec2 out = ball.r + *t * v - arc.centre;
-            if (within(arc, out)) first = CushionHit{*t, arc.rail, -normalized(out)};
+            const Vec2 normal = -normalized(out);
+            if (within(arc, out) && (*t > 0 || dot(v, normal) > rounding))
+                first = CushionHit{*t, arc.rail, normal};
         }
         return first;
     }
 
   private:
+    /// Holes come into the table less far than their mouths are wide.
+    [[nodiscard]] Vec2 free_area() const {
+        return {nose_.x - kSideMouth.width, nose_.y - kSideMouth.width};
+    }
+
     PoolTable table_;
     Vec2 nose_;
     bool active_;

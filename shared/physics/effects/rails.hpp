@@ -42,6 +42,9 @@ class Rails {
                kGenerous * (std::abs(ball.r.y) + std::abs(v.y) * time) >= edge.y;
     }
 
+    /// Up to which |x| and |y| a centre meets no rail, m.
+    [[nodiscard]] Vec2 clear_area(double radius) const { return edge(radius); }
+
     /// When the ball reaches a short rail (x) or a long rail (y).
     [[nodiscard]] std::optional<RailHit> next_short_rail(const MovingBall& ball, Vec2 v) const {
         const std::optional<double> t = time_to(ball.r.x, v.x, edge(ball.radius).x);

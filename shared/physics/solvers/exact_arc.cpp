@@ -1,12 +1,13 @@
+#include "shared/physics/solvers/exact_arc.hpp"
+
 #include "shared/physics/solvers/solvers.hpp"
-#include "shared/physics/solvers/stepping.hpp"
 #include "shared/physics/solvers/with_kernel.hpp"
 
 namespace poolhall {
 
 void run_exact_arc(std::size_t kernel, ShotRun& run) {
     with_kernel(kernel, run, [&]<class Kernel>(const Kernel& effects) {
-        SteppingSolver<Kernel, Scheme::kExactArc>(effects, run).solve();
+        ExactArcSolver<Kernel>(effects, run).solve();
     });
 }
 

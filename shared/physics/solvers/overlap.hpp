@@ -5,7 +5,7 @@
 #include "shared/physics/effects/pool_mouths.hpp"
 #include "shared/physics/effects/rails.hpp"
 #include "shared/physics/shot_run.hpp"
-#include "shared/physics/solvers/stepping.hpp"
+#include "shared/physics/solvers/ticks.hpp"
 #include "shared/physics/time_of_impact.hpp"
 
 #include <algorithm>
@@ -28,7 +28,9 @@ class OverlapSolver {
     void solve() {
         for (MovingBall& ball : run_.balls())
             cloth_.settle(ball);
-        run_ticks(run_, [this](double begin, double end) { return tick(end - begin, end); });
+        run_ticks(
+            run_, [this] { return run_.any_moves(); },
+            [this](double begin, double end) { return tick(end - begin, end); });
     }
 
   private:

@@ -74,6 +74,19 @@ TEST_P(HardCase, GrazeIsAHitAndAnUlpOrTrillionthMoreIsAMiss) {
     }
 }
 
+TEST_P(HardCase, GrazeAtTheEndOfATickIsAHit) {
+    for (const double speed : {0.7, 1.0, 2.0, 3.0}) {
+        for (int k = 1; k < 200; ++k) {
+            const double way = 0.05 * k;
+            Scene scene = endless(testing::scene_of({{0, 0}, {way, kDiameter}}), 1.1 * way / speed);
+            scene.balls[0].state.v.x = speed;
+            const auto hits = events_of(run(scene), EventKind::kBallBall);
+            ASSERT_EQ(1U, hits.size()) << way << " m at " << speed << " m/s";
+            EXPECT_NEAR(1, hits[0].t * speed / way, 1e-13);
+        }
+    }
+}
+
 TEST_P(HardCase, NothingTunnelsAt30MetresASecondAnd30Hertz) {
     const auto one = testing::reference_case("h_extremes", "tunnel_30mps_head");
     Scene scene = endless(testing::scene_of({{0, 0}, {one.input("dp", 0), 0}}), 1);

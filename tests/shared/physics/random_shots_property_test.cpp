@@ -13,11 +13,7 @@ namespace {
 
 class EveryTickOfAShot : public ::testing::TestWithParam<SolverKind> {
   protected:
-    /// The chords of exact_arc cut off what cloth friction does within a tick.
-    static double overlap() {
-        if (GetParam() == SolverKind::kExactArc) return 5e-3;
-        return GetParam() == SolverKind::kEvent ? 1e-12 : 1e-9;
-    }
+    static double overlap() { return GetParam() == SolverKind::kEvent ? 1e-12 : 1e-9; }
 };
 
 INSTANTIATE_TEST_SUITE_P(Solvers, EveryTickOfAShot, ::testing::ValuesIn(testing::kSweptSolvers),

@@ -1,0 +1,204 @@
+#pragma once
+
+#include "shared/physics/cloth.hpp"
+#include "shared/physics/effects/airborne.hpp"
+#include "shared/physics/effects/effect_set.hpp"
+#include "shared/physics/shot_run.hpp"
+#include "shared/physics/solvers/chords.hpp"
+#include "shared/physics/solvers/impacts.hpp"
+#include "shared/physics/solvers/instant_search.hpp"
+#include "shared/physics/solvers/ticks.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace poolhall {
+
+/// Ticks of 1 / hz in which every ball moves in closed form. Contacts are found on chords of the
+/// arcs (chords.hpp), so their error is of second order; a ball that meets nothing is exact.
+///
+/// A contact happens only if the balls approach there by their arcs too. Where only the chords do,
+/// they are taken anew, up to where the arcs' approach changes sign (Chords::end_of_false_contact):
+/// balls that friction presses together bounce off each other in many small arcs, and a chord over
+/// several of them would lead through the other ball.
+template <class Set>
+class ExactArcSolver {
+  public:
+    ExactArcSolver(const Set& set, ShotRun& run)
+        : set_(set),
+          run_(run),
+          balls_(run.balls()),
+          cloth_(set, run.scene().gravity),
+          work_(run.workspace()),
+          chords_(work_),
+          search_(set, run, chords_) {}
+
+    void solve() {
+        for (MovingBall& ball : balls_)
+            cloth_.settle(ball);
+        chords_.begin_shot();
+        for (std::size_t i = 0; i < balls_.size(); ++i)
+            launch(i, 0);
+        search_.begin_shot();
+        run_ticks(
+            run_, [this] { return !work_.stepping.moving.empty(); },
+            [this](double begin, double end) { return tick(begin, end); });
+    }
+
+  private:
+    /// One tick from `begin` to `end`, in s. kRest means that it went well.
+    Outcome tick(double begin, double end) {
+        const double dt = end - begin;
+        double passed = 0;
+        chords_.begin_tick(begin, end);
+        for (int round = 0; round < kMaxContactsPerTick; ++round) {
+            if (run_.event_limit_reached()) return Outcome::kEventLimit;
+            const double rest = std::max(dt - passed, 0.0);
+            const double now = begin + passed;
+            find_first(now, rest);
+            const double next = search_.first();
+            if (next <= rest && renew_chords(now, next)) continue;
+            sample_until(std::min(now + std::min(next, rest), end), now);
+            if (next > rest) {
+                arrive(end);
+                search_.claim_boxes(dt);
+                run_.sample_at(end);
+                return Outcome::kRest;
+            }
+            advance(next);
+            passed += next;
+            // Rounded, it could lie behind the tick's end, and its event behind those of the next.
+            if (!happen(std::min(begin + passed, end))) return Outcome::kStalled;
+        }
+        return Outcome::kStalled;
+    }
+
+    void find_first(double now, double time) {
+        search_.begin(time);
+        for (const std::size_t i : work_.stepping.moving) {
+            const double t = chords_.ends_within_tick(i, now);
+            if (t <= time && search_.is_first(t)) work_.transitions.push_back(i);
+        }
+        search_.look();
+    }
+
+    /// Takes the chords of false contacts anew. False if there is none.
+    bool renew_chords(double now, double t) {
+        std::vector<double>& ends = work_.stepping.ends;
+        ends.clear();
+        for (const Contact& contact : work_.contacts)
+            ends.push_back(chords_.end_of_false_contact(contact, now, t));
+        bool any = false;
+        for (std::size_t k = 0; k < ends.size(); ++k) {
+            if (ends[k] == kNever) continue;
+            chords_.renew(work_.contacts[k].a, now, ends[k]);
+            chords_.renew(work_.contacts[k].b, now, ends[k]);
+            any = true;
+        }
+        return any;
+    }
+
+    void sample_until(double until, double from) {
+        while (run_.next_sample() < until) {
+            const double passed = run_.next_sample() - from;
+            run_.sample([&](std::size_t i) { return place_after(i, passed); });
+        }
+    }
+
+    [[nodiscard]] Vec3 place_after(std::size_t i, double time) const {
+        const MovingBall& ball = balls_[i];
+        const Vec3 way = time * chords_.drift(i);
+        if constexpr (Set::template kHas<Airborne>)
+            return {ball.r.x + way.x, ball.r.y + way.y, ball.height + way.z};
+        return {ball.r.x + way.x, ball.r.y + way.y, ball.height};
+    }
+
+    void advance(double time) {
+        for (const std::size_t i : work_.stepping.moving) {
+            const Vec3 place = place_after(i, time);
+            balls_[i].r = xy(place);
+            balls_[i].height = place.z;
+        }
+    }
+
+    /// Every ball at `t`, the end of the time looked at, as its arc has it.
+    void arrive(double t) {
+        for (const std::size_t i : work_.stepping.moving) {
+            const std::size_t partner = balls_[i].partner;
+            balls_[i] = ball_on(work_.launched[i], work_.arcs[i], t);
+            balls_[i].partner = partner;
+            // Straight on, the way within a tick is more exact than that since the last event.
+            if (work_.arcs[i].a == Vec2{} && work_.arcs[i].drag == 0) balls_[i].r = search_.next(i);
+        }
+    }
+
+    void launch(std::size_t i, double t) {
+        work_.launched[i] = balls_[i];
+        work_.arcs[i] = cloth_.arc_of(balls_[i], t);
+        chords_.aim(i, t);
+    }
+
+    /// Lets happen what the search found: ends of chords, or else captures, or else the contacts as
+    /// one group. What is left is found again, 0 s from here.
+    bool happen(double t) {
+        bool settled = true;
+        if (!work_.transitions.empty()) {
+            for (const std::size_t i : work_.transitions)
+                end_chord(i, t);
+        } else if (!work_.captures.empty()) {
+            for (const auto& [ball, pocket] : work_.captures)
+                run_.capture(t, ball, pocket);
+        } else {
+            settled = collide(t);
+        }
+        search_.note_changes();
+        return settled;
+    }
+
+    void end_chord(std::size_t i, double t) {
+        if (!chords_.ends_with_arc(i)) {
+            chords_.aim(i, t);
+            return;
+        }
+        balls_[i] = work_.launched[i];
+        cloth_.transition(balls_[i], work_.arcs[i], [&](EventKind kind, const MovingBall& before) {
+            run_.record(t, kind, i, before);
+        });
+        launch(i, t);
+    }
+
+    bool collide(double t) {
+        for (const Contact& contact : work_.contacts) {
+            prepare_for_impact(contact.a, t);
+            prepare_for_impact(contact.b, t);
+        }
+        if (!resolve_contacts(set_, cloth_, run_, t)) return false;
+        for (const Contact& contact : work_.contacts) {
+            launch(contact.a, t);
+            launch(contact.b, t);
+        }
+        return true;
+    }
+
+    /// Velocities and spins as they are at t; places stay on the chord, where the contact was
+    /// found.
+    void prepare_for_impact(std::size_t i, double t) {
+        MovingBall& ball = balls_[i];
+        if (ball.motion == Motion::kStationary) return;
+        const MovingBall found = ball;
+        ball = ball_on(work_.launched[i], work_.arcs[i], t);
+        ball.r = found.r;
+        ball.height = found.height;
+        ball.partner = found.partner;
+    }
+
+    const Set& set_;
+    ShotRun& run_;
+    std::vector<MovingBall>& balls_;
+    Cloth<Set> cloth_;
+    Workspace& work_;
+    Chords chords_;
+    InstantSearch<Set, Chords> search_;
+};
+
+}  // namespace poolhall

@@ -1,0 +1,289 @@
+#pragma once
+
+#include "shared/physics/contact_time.hpp"
+#include "shared/physics/effects/airborne.hpp"
+#include "shared/physics/effects/effect_set.hpp"
+#include "shared/physics/effects/pool_mouths.hpp"
+#include "shared/physics/effects/rails.hpp"
+#include "shared/physics/shot_run.hpp"
+#include "shared/physics/time_of_impact.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace poolhall {
+
+/// The next double after x >= 0; std::nextafter would be a call of the C library.
+constexpr double next_above(double x) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1);
+}
+
+/// An effect that can say up to which |x| and |y| the centre of a ball of some radius meets nothing
+/// of it; m.
+template <class Effect>
+concept OuterEffect = requires(const Effect& effect) {
+    effect.clear_area(0.0);
+};
+
+/// Finds what happens first while every ball goes straight and uniformly for some time: captures by
+/// pockets, contacts of balls, contacts with rails. `Paths` tells how they go:
+///
+///     Vec3 drift(std::size_t ball) const;                          // its velocity, m/s
+///     bool have_parted(std::size_t a, std::size_t b) const;        // cannot meet, but for
+///     rounding
+///
+/// Only loose balls (free_boxes.hpp) are looked at. What is found is in the workspace's `captures`
+/// and `contacts`, in the order of effects and balls.
+template <class Set, class Paths>
+class InstantSearch {
+  public:
+    InstantSearch(const Set& set, ShotRun& run, const Paths& paths)
+        : set_(set),
+          paths_(paths),
+          balls_(run.balls()),
+          work_(run.workspace()),
+          memory_(work_.stepping) {}
+
+    /// To be called once, with settled balls.
+    void begin_shot() {
+        memory_.boxes.reset(balls_.size());
+        memory_.next.resize(balls_.size());
+        memory_.outlooks.clear();
+        for (const MovingBall& ball : balls_)
+            memory_.outlooks.push_back({clear_area(ball.radius), kMostTicks});
+        note_changes();
+    }
+
+    /// To be called after balls have changed their motion.
+    void note_changes() {
+        memory_.moving.clear();
+        for (std::size_t i = 0; i < balls_.size(); ++i) {
+            if (!in_play(balls_[i])) {
+                memory_.boxes.remove(i);
+            } else if (balls_[i].motion == Motion::kStationary) {
+                memory_.boxes.settle(i, balls_[i].r, balls_[i].radius);
+            } else {
+                memory_.boxes.wake(i);
+                memory_.moving.push_back(i);
+            }
+        }
+    }
+
+    /// Begins to look at the next `time` s.
+    void begin(double time) {
+        forget();
+        time_ = time;
+        first_ = next_above(time);
+    }
+
+    /// True if an event at t (s from now) is among the first; forgets later ones.
+    bool is_first(double t) {
+        if (t > first_) return false;
+        if (t < first_) forget();
+        first_ = t;
+        return true;
+    }
+
+    /// When what happens first happens, s from now; more than the time looked at if nothing does.
+    [[nodiscard]] double first() const { return first_; }
+
+    /// Looks at all of the time. Afterwards next() is valid.
+    void look() {
+        if (!find_loose()) return;
+        find_captures();
+        find_ball_contacts();
+        find_rail_contacts();
+    }
+
+    /// Where a moving ball is at the end of the time, m.
+    [[nodiscard]] Vec2 next(std::size_t ball) const { return memory_.next[ball]; }
+
+    /// To be called at the end of a tick of dt s: gives boxes to loose balls for the ticks to come.
+    void claim_boxes(double dt) {
+        for (const std::size_t i : memory_.loose)
+            claim_box(i, dt);
+    }
+
+  private:
+    /// Ticks for which a box is made, if there is room.
+    static constexpr int kMostTicks = 16;
+
+    void forget() {
+        work_.contacts.clear();
+        work_.captures.clear();
+        work_.transitions.clear();
+    }
+
+    bool find_loose() {
+        const MovingBall* const balls = balls_.data();
+        Vec2* const places = memory_.next.data();
+        memory_.loose.clear();
+        for (const std::size_t i : memory_.moving) {
+            const Vec3 v = paths_.drift(i);
+            const Vec2 next{balls[i].r.x + time_ * v.x, balls[i].r.y + time_ * v.y};
+            places[i].x = next.x;
+            places[i].y = next.y;
+            if (!memory_.boxes.holds(i, next)) [[unlikely]]
+                memory_.loose.push_back(i);
+        }
+        for (const std::size_t i : memory_.loose)
+            memory_.boxes.sweep(i, balls[i].r, places[i], balls[i].radius);
+        return !memory_.loose.empty();
+    }
+
+    void claim_box(std::size_t i, double dt) {
+        const MovingBall& ball = balls_[i];
+        if (!in_play(ball) || ball.motion == Motion::kStationary) return;
+        Outlook& outlook = memory_.outlooks[i];
+        const Vec2 way = static_cast<double>(outlook.ticks) * dt * xy(paths_.drift(i));
+        const Vec2 clear = outlook.clear;
+        if (std::abs(ball.r.x) > clear.x || std::abs(ball.r.y) > clear.y) return;
+        // Its way bends.
+        const double margin = (std::abs(way.x) + std::abs(way.y)) / 16;
+        const Box box{std::max(std::min(ball.r.x, ball.r.x + way.x) - margin, -clear.x),
+                      std::min(std::max(ball.r.x, ball.r.x + way.x) + margin, clear.x),
+                      std::max(std::min(ball.r.y, ball.r.y + way.y) - margin, -clear.y),
+                      std::min(std::max(ball.r.y, ball.r.y + way.y) + margin, clear.y)};
+        if (memory_.boxes.claim(i, box, ball.radius)) {
+            outlook.ticks = std::min(2 * outlook.ticks, kMostTicks);
+        } else {
+            outlook.ticks = std::max(outlook.ticks / 2, 1);
+        }
+    }
+
+    /// Up to which |x| and |y| a ball meets nothing of the table, by more than any rounding, m.
+    [[nodiscard]] Vec2 clear_area(double radius) const {
+        constexpr double kSafe = 1 - 0x1p-30;
+        Vec2 area{kNever, kNever};
+        set_.for_each([&]<OuterEffect Effect>(const Effect& effect) {
+            const Vec2 clear = effect.clear_area(radius);
+            area = {std::min(area.x, kSafe * clear.x), std::min(area.y, kSafe * clear.y)};
+        });
+        // Of other pockets nothing is known.
+        set_.for_each([&]<PocketEffect Pockets>(const Pockets&) {
+            if constexpr (!OuterEffect<Pockets>) area = {-kNever, -kNever};
+        });
+        return area;
+    }
+
+    void find_captures() {
+        set_.for_each([&]<PocketEffect Pockets>(const Pockets& pockets) {
+            for (const std::size_t i : memory_.loose) {
+                if (!is_on_cloth(balls_[i].motion)) continue;
+                const Vec2 v = xy(paths_.drift(i));
+                if (v == Vec2{}) continue;
+                const std::optional<Capture> capture = pockets.first_capture(balls_[i].r, v, time_);
+                if (capture && is_first(capture->t)) work_.captures.push_back({i, capture->pocket});
+            }
+        });
+    }
+
+    void find_ball_contacts() {
+        for (const std::size_t i : memory_.loose) {
+            memory_.boxes.for_each_near(i, [&](std::size_t j) {
+                // Two loose balls find each other twice.
+                if (j < i && memory_.boxes.is_loose(j)) return;
+                find_ball_contact(std::min(i, j), std::max(i, j));
+            });
+        }
+        if (work_.contacts.size() < 2) return;
+        std::sort(
+            work_.contacts.begin(), work_.contacts.end(),
+            [](const Contact& c, const Contact& d) { return c.a != d.a ? c.a < d.a : c.b < d.b; });
+    }
+
+    void find_ball_contact(std::size_t i, std::size_t j) {
+        if (paths_.drift(i) == paths_.drift(j) || paths_.have_parted(i, j)) return;
+        double t = meeting(i, j);
+        if (t > time_ && slips_by(i, j, t)) t = time_;
+        if (t > time_ || rest_against(i, j)) return;
+        if (is_first(t)) work_.contacts.push_back(ball_contact(i, j));
+    }
+
+    [[nodiscard]] double meeting(std::size_t i, std::size_t j) const {
+        const MovingBall& a = balls_[i];
+        const MovingBall& b = balls_[j];
+        const Vec3 v_a = paths_.drift(i);
+        const Vec3 v_b = paths_.drift(j);
+        if constexpr (Set::template kHas<Airborne>) {
+            const double rise = b.height - a.height;
+            if (rise != 0 || v_a.z != v_b.z) {
+                const Vec2 c = b.r - a.r;
+                return straight_contact({c.x, c.y, rise + (b.radius - a.radius)}, v_b - v_a,
+                                        a.radius + b.radius);
+            }
+        }
+        return time_of_impact({a.r, xy(v_a)}, {b.r, xy(v_b)}, contact_distance(a, b))
+            .value_or(kNever);
+    }
+
+    /// True for a graze that is due only just after the time looked at: from where rounding puts
+    /// the balls then, they may not approach any more.
+    [[nodiscard]] bool slips_by(std::size_t i, std::size_t j, double t) const {
+        constexpr double kSoon = 1 + 0x1p-20;
+        if (t > kSoon * time_ || is_in_air(i) || is_in_air(j)) return false;
+        const Vec2 v = xy(paths_.drift(j)) - xy(paths_.drift(i));
+        const Vec2 c = (balls_[j].r - balls_[i].r) + time_ * v;
+        const double approach = -dot(c, v);
+        return approach <= 0 || approach * approach <= 0x1p-88 * dot(c, c) * dot(v, v);
+    }
+
+    [[nodiscard]] bool is_in_air(std::size_t i) const {
+        return balls_[i].motion == Motion::kAirborne;
+    }
+
+    /// True for balls that touch and approach no more than rounding makes them. An impact would
+    /// only hand that rounding to and fro between them and what holds them, without end; left alone
+    /// it makes an overlap far below kTouchTolerance.
+    [[nodiscard]] bool rest_against(std::size_t i, std::size_t j) const {
+        constexpr double kRounding = 0x1p-48;
+        const MovingBall& a = balls_[i];
+        const MovingBall& b = balls_[j];
+        const double distance = contact_distance(a, b);
+        const Vec2 c = b.r - a.r;
+        const Vec2 v_a = xy(paths_.drift(i));
+        const Vec2 v_b = xy(paths_.drift(j));
+        const double speed =
+            std::max({std::abs(v_a.x), std::abs(v_a.y), std::abs(v_b.x), std::abs(v_b.y)});
+        return dot(c, c) <= (1 + kRounding) * distance * distance &&
+               -dot(c, v_b - v_a) <= kRounding * distance * speed;
+    }
+
+    void find_rail_contacts() {
+        if constexpr (Set::template kHas<Rails>) {
+            const Rails& rails = set_.template effect<Rails>();
+            for (const std::size_t i : memory_.loose) {
+                const Vec2 v = xy(paths_.drift(i));
+                if (!rails.may_reach(balls_[i], v, time_)) continue;
+                for (const auto& hit :
+                     {rails.next_short_rail(balls_[i], v), rails.next_long_rail(balls_[i], v)}) {
+                    if (hit && is_first(hit->t))
+                        work_.contacts.push_back(rail_contact(i, hit->rail));
+                }
+            }
+        }
+        if constexpr (Set::template kHas<PoolMouths>) {
+            const PoolMouths& mouths = set_.template effect<PoolMouths>();
+            for (const std::size_t i : memory_.loose) {
+                const Vec2 v = xy(paths_.drift(i));
+                if (v == Vec2{} || !mouths.may_reach(balls_[i], v, time_)) continue;
+                if (const auto hit = mouths.straight_hit(balls_[i], v); hit && is_first(hit->t))
+                    work_.contacts.push_back({Contact::Kind::kRail, i, i, hit->rail, hit->normal});
+            }
+        }
+    }
+
+    const Set& set_;
+    const Paths& paths_;
+    std::vector<MovingBall>& balls_;
+    Workspace& work_;
+    SteppingMemory& memory_;
+    double time_ = 0;   ///< looked at, s
+    double first_ = 0;  ///< s
+};
+
+}  // namespace poolhall

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "shared/physics/shot_run.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace poolhall {
+
+/// More instants than this within one tick end the shot as stalled: balls that are this fast are no
+/// pool.
+inline constexpr int kMaxContactsPerTick = 10000;
+
+/// Runs `tick(begin, end)` (s) at the scene's rate as long as `any_moves()` or until a limit is
+/// reached. A tick answers kRest when it went well, and otherwise how the shot ends. Times are
+/// k / hz, not a sum, so that rates agree on the instants they share.
+template <class AnyMoves, class Tick>
+void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick) {
+    const double hz = run.scene().solver.hz;
+    const double limit = run.scene().limits.time;
+    std::uint64_t ticks = 0;
+    double t = 0;
+    run.sample_at(0);
+    Outcome outcome = Outcome::kRest;
+    while (outcome == Outcome::kRest && any_moves()) {
+        if (run.event_limit_reached()) {
+            outcome = Outcome::kEventLimit;
+        } else if (t >= limit) {
+            outcome = Outcome::kTimeLimit;
+        } else {
+            const double end = std::min(static_cast<double>(ticks + 1) / hz, limit);
+            outcome = tick(t, end);
+            t = end;
+            ++ticks;
+        }
+    }
+    run.finish(outcome, t, ticks);
+}
+
+}  // namespace poolhall
