@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace poolhall::lab {
 
@@ -43,8 +44,7 @@ Tally tally(std::span<const Scene> scenes) {
 }
 
 /// Of all the scenes once.
-Cost cost_of(std::span<const Scene> scenes) {
-    Simulator simulator;
+Cost cost_of(std::span<const Scene> scenes, Simulator simulator = {}) {
     ShotTrace trace;
     return measure([&] {
         for (const Scene& scene : scenes)
@@ -127,13 +127,38 @@ std::vector<BenchRow> steps() {
     return rows;
 }
 
+/// What an event costs as balls grow and the table with them.
 std::vector<BenchRow> crowds() {
     std::vector<BenchRow> rows;
-    for (std::size_t count = 2; count <= 256; count *= 2) {
+    double log2 = 1;
+    for (std::size_t count = 2; count <= 256; count *= 2, ++log2) {
         const std::array scenes{crowd(count)};
         const Tally sum = tally(scenes);
-        rows.push_back(row("crowd_of_" + std::to_string(count), cost_of(scenes), sum.events, 1,
-                           "ns/event", sum));
+        const Cost cost = cost_of(scenes);
+        const std::string name = "crowd_of_" + std::to_string(count);
+        rows.push_back(row(name, cost, sum.events, 1, "ns/event", sum));
+        rows.back().check += ", " + std::to_string(static_cast<int>(sum.events)) + " events";
+        rows.push_back(row(name + "_by_log2", cost, sum.events * log2, 1, "ns/event/log2", sum));
+    }
+    return rows;
+}
+
+/// The two ways in which the event solver searches: which is cheaper changes at kManyBalls.
+std::vector<BenchRow> ways_to_search() {
+    std::vector<BenchRow> rows;
+    for (const std::size_t count : {8U, 16U, 20U, 24U, 32U, 64U, 256U}) {
+        const std::array scenes{crowd(count)};
+        Tally sum = tally(scenes);
+        for (const auto& [way, many] :
+             {std::pair{"looked_through", count + 1}, std::pair{"sifted", count}}) {
+            Simulator simulator(many);
+            ShotTrace trace;
+            simulator.simulate(scenes[0], 0, trace);
+            sum.right = sum.right && trace.hash == simulate(scenes[0]).hash;
+            rows.push_back(row("crowd_of_" + std::to_string(count) + "_" + way,
+                               cost_of(scenes, std::move(simulator)), sum.events, 1, "ns/event",
+                               sum));
+        }
     }
     return rows;
 }
@@ -199,6 +224,7 @@ const std::vector<BenchGroup>& bench_groups() {
         {"mouths", mouths},
         {"steps", steps},
         {"crowds", crowds},
+        {"ways_to_search", ways_to_search},
         {"verdicts", verdicts},
         {"event_counts", event_counts},
     };

@@ -21,11 +21,9 @@ namespace poolhall {
 /// of which holds a bit a ball, and what overlaps a box shares a column and a row with it.
 class Boxes {
   public:
-    /// From so many balls on they are sifted: measured (PHYSICS.md).
-    static constexpr std::size_t kMany = 24;
-
     /// No boxes. Sides are told apart best within `room`; what is beyond counts as at its edge.
-    void reset(std::size_t balls, const Box& room, std::size_t many = kMany) {
+    /// From `many` balls on they are many.
+    void reset(std::size_t balls, const Box& room, std::size_t many) {
         room_ = room;
         per_metre_x_ = kSteps / (room.high_x - room.low_x);
         per_metre_y_ = kSteps / (room.high_y - room.low_y);
@@ -98,8 +96,8 @@ class Boxes {
         const std::uint64_t highest = highest_of(packed_[ball]);
         const std::size_t count = std::min(packed_.size() - begin, kWordBits);
         std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < count; ++i)
-            bits |= std::uint64_t{overlaps(highest, packed_[begin + i])} << i;
+        for (std::size_t i = begin + count; i-- > begin;)
+            bits = 2 * bits + (overlaps(highest, packed_[i]) ? 1 : 0);
         return bits;
     }
 

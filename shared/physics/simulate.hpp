@@ -4,6 +4,7 @@
 #include "shared/physics/shot_run.hpp"
 #include "shared/physics/trace.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -16,6 +17,11 @@ inline constexpr double kPlayoutHz = 30;
 /// earlier one allocates nothing, given a trace that has room.
 class Simulator {
   public:
+    Simulator() = default;
+
+    /// With another number for kManyBalls, to measure it: the shots are the same.
+    explicit Simulator(std::size_t many_balls) { workspace_.many_balls = many_balls; }
+
     /// Simulates the scene from its strike (or from the balls' own velocities) until nothing moves
     /// or a limit is reached. `sample_hz` > 0 also fills trace.samples with positions at
     /// k / sample_hz, k = 0, 1, ... up to the first at or after the end. The trace is overwritten;

@@ -3,6 +3,7 @@
 #include "shared/physics/arc.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <vector>
 
@@ -12,22 +13,16 @@ namespace poolhall {
 /// tournament, whose inner nodes hold the sooner of their two children.
 class Soonest {
   public:
-    /// From so many balls on a tournament is played: measured (PHYSICS.md).
-    static constexpr std::size_t kMany = 24;
-
     struct Found {
         double t = kNever;
         std::size_t ball = 0;   ///< the first that has t
         std::size_t count = 0;  ///< how many have it; of kNever, not how many
     };
 
-    void reset(std::size_t balls, std::size_t many = kMany) {
-        leaves_ = 1;
-        if (balls >= many) {
-            while (leaves_ < balls)
-                leaves_ *= 2;
-        }
+    /// All never. From `many` balls on they are many.
+    void reset(std::size_t balls, std::size_t many) {
         is_tree_ = balls >= many;
+        leaves_ = is_tree_ ? std::bit_ceil(balls) : 0;
         times_.assign(is_tree_ ? 2 * leaves_ : balls, kNever);
     }
 
@@ -50,15 +45,14 @@ class Soonest {
 
   private:
     [[nodiscard]] Found least() const {
-        // First the instant, which takes no branch, then who has it.
+        // No branches: who comes next cannot be foreseen.
         Found found;
         for (const double t : times_)
             found.t = std::min(t, found.t);
-        const double* const times = times_.data();
         for (std::size_t i = times_.size(); i-- > 0;) {
-            if (times[i] > found.t) continue;
-            found.ball = i;
-            ++found.count;
+            const bool has_it = times_[i] <= found.t;
+            found.ball = has_it ? i : found.ball;
+            found.count += has_it ? 1 : 0;
         }
         return found;
     }

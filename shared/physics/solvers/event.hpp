@@ -40,11 +40,9 @@ class EventSolver {
         const std::size_t n = balls_.size();
         work_.arcs.resize(n);
         work_.own.resize(n);
-        work_.due.reset(n);
         work_.courses.resize(n);
-        const Table& table = run_.scene().table;
-        work_.reach.reset(
-            n, Box{-table.length / 2, table.length / 2, -table.width / 2, table.width / 2});
+        work_.due.reset(n, work_.many_balls);
+        work_.reach.reset(n, room(), work_.many_balls);
         work_.pairs.reset(n);
         for (std::size_t i = 0; i < n; ++i) {
             cloth_.settle(balls_[i]);
@@ -52,6 +50,12 @@ class EventSolver {
         }
         for (std::size_t i = 0; i < n; ++i)
             find_partners(i, i + 1);
+    }
+
+    /// Where the balls stay; more or less, on an endless cloth.
+    [[nodiscard]] Box room() const {
+        const Table& table = run_.scene().table;
+        return {-table.length / 2, table.length / 2, -table.width / 2, table.width / 2};
     }
 
     Outcome run_events() {

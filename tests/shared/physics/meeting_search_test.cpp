@@ -2,8 +2,11 @@
 
 #include "shared/physics/boxes.hpp"
 #include "shared/physics/contact_time.hpp"
+#include "shared/physics/simulate.hpp"
 #include "shared/physics/soonest.hpp"
 #include "tests/shared/random.hpp"
+#include "tests/shared/scenes.hpp"
+#include "tests/shared/solvers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +162,30 @@ TEST(Soonest, FewAndManyBallsHaveTheSameFirstAndTies) {
                           static_cast<std::ptrdiff_t>(found.count));
             }
         }
+    }
+}
+
+TEST(ManyBalls, AreSearchedToTheSameShotsAsFew) {
+    Random random(17);
+    Simulator few(kNoneIsMany);
+    Simulator many(1);
+    ShotTrace trace;
+    ShotTrace other;
+    for (int shot = 0; shot < 120; ++shot) {
+        Scene scene = shot % 2 == 0
+                          ? testing::break_scene(2 + shot % 5, shot % 3 == 0 ? 0 : 1e-4, 6)
+                          : testing::random_scene(random, 40, 5);
+        scene.solver.kind = SolverKind::kEvent;
+        if (shot % 4 < 2) scene.effects = testing::pool_effects();
+        if (shot % 8 < 2) scene.effects.airborne = AirborneSpec{};
+        scene.table.rails = shot % 7 != 0;
+        scene.strike->elevation = shot % 5 == 0 ? 0.4 : 0;
+        ASSERT_FALSE(check(scene)) << shot;
+        few.simulate(scene, 0, trace);
+        many.simulate(scene, 0, other);
+        ASSERT_EQ(trace.hash, other.hash) << shot;
+        ASSERT_EQ(trace.events, other.events) << shot;
+        ASSERT_EQ(trace.balls, other.balls) << shot;
     }
 }
 
