@@ -68,9 +68,10 @@ double changed(double v, DoubleDouble change, double rounding) {
     return std::abs(sum) <= rounding ? 0 : sum;
 }
 
-/// The slate takes the vertical part (Plane::kKept).
-Vec3 along_table(const Vec3& push) {
-    return {push.x, push.y, 0};
+/// Who takes the vertical part of friction between two balls.
+VerticalPart vertical_part(const MovingBall& a, const MovingBall& b) {
+    return a.motion == Motion::kAirborne || b.motion == Motion::kAirborne ? VerticalPart::kToBalls
+                                                                          : VerticalPart::kToSlate;
 }
 
 void add(Vec3DoubleDouble& sum, DoubleDouble factor, const Vec3& v) {
@@ -108,6 +109,7 @@ ContactSolver::ContactSolver() : problem_(kGroupCapacity) {
     group_.reserve(kGroupCapacity);
     approaching_.reserve(kGroupCapacity);
     normals_.reserve(kGroupCapacity);
+    pushes_.reserve(kGroupCapacity);
     least_openings_.reserve(kGroupCapacity);
 }
 
@@ -213,8 +215,11 @@ void ContactSolver::collide(const Contact& contact, std::span<MovingBall> balls)
     const double total = a.mass + b.mass;
     ImpactBall after_a{velocity(a), a.w, a.radius, a.mass};
     ImpactBall after_b{velocity(b), b.w, b.radius, b.mass};
-    if (has_friction_)
-        apply_friction(friction_, change * (a.mass * b.mass / total), n, after_a, after_b);
+    if (has_friction_) {
+        const double impulse = change * (a.mass * b.mass / total);
+        apply_tangential(friction_impulse(friction_, impulse, n, after_a, after_b), n,
+                         vertical_part(a, b), after_a, after_b);
+    }
     set_velocity(a, after_a.v - (change * (b.mass / total)) * n);
     set_velocity(b, after_b.v + (change * (a.mass / total)) * n);
     a.w = after_a.w;
@@ -352,10 +357,12 @@ void ContactSolver::add_push(const Contact& contact, const Vec3& push, const Vec
                              std::span<const MovingBall> balls) {
     if (push == Vec3{}) return;
     const Vec3 torque = 2.5 * cross(push, n);
+    Vec3 along = push;
+    if (vertical_part(balls[contact.a], balls[contact.b]) == VerticalPart::kToSlate) along.z = 0;
     for (const std::size_t i : {contact.a, contact.b}) {
         const MovingBall& ball = balls[i];
         const DoubleDouble sign{direction_on(contact, i)};
-        add(changes_[i].v, sign * DoubleDouble{1 / ball.mass}, along_table(push));
+        add(changes_[i].v, sign * DoubleDouble{1 / ball.mass}, along);
         add(changes_[i].w, DoubleDouble{1 / (ball.mass * ball.radius)}, torque);
     }
 }

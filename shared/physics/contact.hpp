@@ -96,7 +96,7 @@ class ContactSolver {
     void part_pressed(std::span<MovingBall> balls);
     void add_impulse(std::size_t contact, DoubleDouble size, std::span<const MovingBall> balls);
     void rub_together(std::span<const MovingBall> balls);
-    [[nodiscard]] Vec3 friction_at(std::size_t contact, std::span<const MovingBall> balls) const;
+    [[nodiscard]] Vec3 friction_at(std::size_t i, std::span<const MovingBall> balls) const;
     void add_push(const Contact& contact, const Vec3& push, const Vec3& n,
                   std::span<const MovingBall> balls);
     [[nodiscard]] int most_impacts_of(const Contact& contact) const;

@@ -38,4 +38,14 @@ Vec3 friction_impulse(const BallFriction& friction, double normal_impulse, Vec3 
     return most / speed * slip;
 }
 
+void apply_tangential(Vec3 impulse, Vec3 n, VerticalPart vertical, ImpactBall& a, ImpactBall& b) {
+    // Both balls are pushed opposite ways at opposite points: the torque is the same on both.
+    const Vec3 torque = 2.5 * cross(impulse, n);
+    a.w = a.w + 1 / (a.mass * a.radius) * torque;
+    b.w = b.w + 1 / (b.mass * b.radius) * torque;
+    if (vertical == VerticalPart::kToSlate) impulse.z = 0;
+    a.v = a.v - 1 / a.mass * impulse;
+    b.v = b.v + 1 / b.mass * impulse;
+}
+
 }  // namespace poolhall

@@ -31,9 +31,9 @@ struct ImpactBall {
 };
 
 /// What becomes of the vertical part of a friction impulse; the spins get their full share anyhow.
-enum class Plane : std::uint8_t {
-    kKept,  ///< the slate takes it, v.z stays: balls that cannot leave the cloth (so in pooltool)
-    kLeft,  ///< the balls take it: a draw shot lifts the object ball a little
+enum class VerticalPart : std::uint8_t {
+    kToSlate,  ///< v.z stays: balls on the cloth (so in pooltool)
+    kToBalls,  ///< of which one flies
 };
 
 /// The velocity (m/s) at which the surface of a slips on that of b, at the unit normal n from a to
@@ -47,23 +47,6 @@ enum class Plane : std::uint8_t {
                                     const ImpactBall& a, const ImpactBall& b);
 
 /// Gives `impulse` to b and its opposite to a, where they touch.
-template <Plane Rule = Plane::kKept>
-void apply_tangential(Vec3 impulse, Vec3 n, ImpactBall& a, ImpactBall& b) {
-    // Both balls are pushed opposite ways at opposite points: the torque is the same on both.
-    const Vec3 torque = 2.5 * cross(impulse, n);
-    a.w = a.w + 1 / (a.mass * a.radius) * torque;
-    b.w = b.w + 1 / (b.mass * b.radius) * torque;
-    if constexpr (Rule == Plane::kKept) impulse.z = 0;
-    a.v = a.v - 1 / a.mass * impulse;
-    b.v = b.v + 1 / b.mass * impulse;
-}
-
-/// The friction of an impact of two balls: both of the above. v and w may be those before or after
-/// the normal impulse. Where an instant has several contacts, find all impulses first.
-template <Plane Rule = Plane::kKept>
-void apply_friction(const BallFriction& friction, double normal_impulse, Vec3 n, ImpactBall& a,
-                    ImpactBall& b) {
-    apply_tangential<Rule>(friction_impulse(friction, normal_impulse, n, a, b), n, a, b);
-}
+void apply_tangential(Vec3 impulse, Vec3 n, VerticalPart vertical, ImpactBall& a, ImpactBall& b);
 
 }  // namespace poolhall

@@ -41,6 +41,11 @@ void apply_normal(double impulse, Vec3 n, ImpactBall& a, ImpactBall& b) {
     b.v = b.v + impulse / b.mass * n;
 }
 
+void apply_friction(const BallFriction& friction, double normal_impulse, Vec3 n, ImpactBall& a,
+                    ImpactBall& b, VerticalPart vertical = VerticalPart::kToSlate) {
+    apply_tangential(friction_impulse(friction, normal_impulse, n, a, b), n, vertical, a, b);
+}
+
 /// The angle (degrees) by which the object ball leaves the line of centres, against the cut, when a
 /// cue ball with that speed along x and spins in units of v / R hits it at that cut angle.
 double throw_angle(double speed, double cut, double follow, double side = 0) {
@@ -283,7 +288,8 @@ TEST(BallFriction, KeepsMomentumAndAngularMomentumOfUnequalBalls) {
         Impact impact(random);
         const Vec3 before = momentum(impact.a, impact.b);
         const Vec3 turning = angular_momentum(impact.n, impact.a, impact.b);
-        apply_friction<Plane::kLeft>(by_speed(), impact.normal(), impact.n, impact.a, impact.b);
+        apply_friction(by_speed(), impact.normal(), impact.n, impact.a, impact.b,
+                       VerticalPart::kToBalls);
         EXPECT_LE(norm(momentum(impact.a, impact.b) - before), 4e-16 * 5);
         EXPECT_LE(norm(angular_momentum(impact.n, impact.a, impact.b) - turning), 4e-16);
     }
@@ -296,8 +302,8 @@ TEST(BallFriction, NeverRaisesTheEnergy) {
         const bool level = i % 2 == 0;
         if (level) impact.a.v.z = impact.b.v.z = 0;
         const double before = energy(impact.a) + energy(impact.b);
-        const auto apply = level ? apply_friction<Plane::kKept> : apply_friction<Plane::kLeft>;
-        apply(constant(random.uniform(0, 2)), impact.normal(), impact.n, impact.a, impact.b);
+        apply_friction(constant(random.uniform(0, 2)), impact.normal(), impact.n, impact.a,
+                       impact.b, level ? VerticalPart::kToSlate : VerticalPart::kToBalls);
         EXPECT_LE(energy(impact.a) + energy(impact.b), before * (1 + 4e-16));
     }
 }
@@ -307,7 +313,8 @@ TEST(BallFriction, SlowsTheSlipAndNeverTurnsItRound) {
     for (int i = 0; i < 2000; ++i) {
         Impact impact(random);
         const Vec3 before = slip_velocity(impact.n, impact.a, impact.b);
-        apply_friction<Plane::kLeft>(by_speed(), impact.normal(), impact.n, impact.a, impact.b);
+        apply_friction(by_speed(), impact.normal(), impact.n, impact.a, impact.b,
+                       VerticalPart::kToBalls);
         const Vec3 after = slip_velocity(impact.n, impact.a, impact.b);
         EXPECT_GE(dot(before, after), -1e-14 * dot(before, before));
         EXPECT_LT(norm(after), norm(before));
@@ -319,7 +326,7 @@ TEST(BallFriction, EndsTheSlipOfAnyBallsWhereItIsStrongEnough) {
     testing::Random random(35);
     for (int i = 0; i < 2000; ++i) {
         Impact impact(random);
-        apply_friction<Plane::kLeft>(constant(1e9), 1, impact.n, impact.a, impact.b);
+        apply_friction(constant(1e9), 1, impact.n, impact.a, impact.b, VerticalPart::kToBalls);
         EXPECT_LE(norm(slip_velocity(impact.n, impact.a, impact.b)), 1e-14);
     }
 }
@@ -338,7 +345,8 @@ TEST(BallFriction, OnTheClothTheSlateTakesTheVerticalImpulse) {
     ImpactBall lifted_cue = cue;
     ImpactBall pressed_object = object;
     apply_friction(constant(0.05), kMass, {1, 0, 0}, cue, object);
-    apply_friction<Plane::kLeft>(constant(0.05), kMass, {1, 0, 0}, lifted_cue, pressed_object);
+    apply_friction(constant(0.05), kMass, {1, 0, 0}, lifted_cue, pressed_object,
+                   VerticalPart::kToBalls);
     EXPECT_EQ(0, cue.v.z);
     EXPECT_EQ(0, object.v.z);
     EXPECT_NEAR(0.05, lifted_cue.v.z, 1e-15);
