@@ -205,6 +205,26 @@ class IndependentClientTest(unittest.IsolatedAsyncioTestCase):
             self.assertEqual((1, True, "aiming"), (table["turn"], table["may_place"], table["phase"]))
             await self.play_to_a_scratch(clients, table)
 
+    async def test_who_creates_a_match_chooses_its_physics(self):
+        settings = {"effects": {"sliding": {"mu": 0.2}, "rolling": {}, "spin_decay": {},
+                                "ball_ball": {"model": "friction"}, "rail": {"model": "han2005", "e": 0.85}},
+                    "solver": {"kind": "event"}}
+        async with (server() as address, connection(address, "poolhall.v1.cbor") as ann,
+                    connection(address, "poolhall.v1.json") as bob):
+            for code, unfit in (("bad_field", {"effects": {}}), ("unknown_field", {"effects": {"wind": {}}}),
+                                ("bad_field", {"solver": {"kind": "euler", "hz": 1e9}}), ("bad_field", "event")):
+                with self.assertRaises(Rejected) as rejected:
+                    await ann.command("create_match", name="Ann", settings=unfit)
+                self.assertEqual(code, rejected.exception.code)
+            joined = await ann.command("create_match", name="Ann", settings=settings)
+            table = (await bob.command("join_match", code=joined["table"]["code"], name="Bob"))["table"]
+            effects = table["scene"]["effects"]
+            self.assertEqual("event", table["scene"]["solver"]["kind"])
+            self.assertEqual((0.2, 0.01, 0.85), (effects["sliding"]["mu"], effects["rolling"]["mu"], effects["rail"]["e"]))
+            self.assertNotIn("linear_drag", effects)
+            table = await self.shoot([ann, bob], table, eight_ball(table)[:2])
+            self.assertEqual(effects, table["scene"]["effects"])
+
     async def test_a_player_places_aims_and_comes_back_with_the_token(self):
         async with server() as address, connection(address, "poolhall.v1.json") as ann:
             joined = await ann.command("create_match", name="Ann", stream="states")

@@ -1,5 +1,7 @@
 #include "server/match/playout.hpp"
 
+#include "protocol/codec.hpp"
+#include "protocol/limits.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
 #include "tests/shared/game/pool_settings.hpp"
@@ -83,6 +85,20 @@ TEST(Playout, ShotThatIsOverAtOnceIsShownForATick) {
     EXPECT_EQ(times(frame.events), times(playout.outcome().trace.events));
     EXPECT_TRUE(frame.balls.empty());
     EXPECT_TRUE(playout.finished());
+}
+
+TEST(Playout, AllThatAShotWithSettingsMayHoldFitsIntoAFrame) {
+    constexpr double kLong = -1.2345678901234567e-300;
+    constexpr Vec3 kLongest{kLong, kLong, kLong};
+    ShotEvent event;
+    event.kind = EventKind::kBallBall;
+    event.ball_count = 2;
+    event.t = -kLong;
+    event.before = {BallState{kLongest, kLongest, kLongest},
+                    BallState{kLongest, kLongest, kLongest}};
+    event.after = event.before;
+    const Frame frame{1, 1, {}, std::vector<ShotEvent>(kGameLimits.events, event)};
+    EXPECT_LT(encode(frame, protocol::Encoding::kJson).size(), protocol::kMaxServerMessageBytes);
 }
 
 TEST(Playout, FrameHasOnlyTheBallsThatMoved) {
