@@ -57,11 +57,16 @@ std::string words(const Tally& sum) {
                      : "kernels differ, or a shot does not end";
 }
 
-/// A row of a cost a piece; `scale` turns ns into the unit.
-BenchRow row(std::string name, const Cost& cost, double pieces, double scale, std::string unit,
-             const Tally& sum) {
-    BenchRow result{std::move(name), cost.ns / pieces * scale, std::move(unit), words(sum),
-                    !sum.right};
+/// The unit of a cost, and how much of it a ns is.
+struct Unit {
+    double per_ns = 1;
+    std::string name;
+};
+
+/// A row of a cost a piece.
+BenchRow row(std::string name, const Cost& cost, double pieces, Unit unit, const Tally& sum) {
+    BenchRow result{std::move(name), cost.ns / pieces * unit.per_ns, std::move(unit.name),
+                    words(sum), !sum.right};
     if (cost.instructions) result.instructions = *cost.instructions / pieces;
     return result;
 }
@@ -71,10 +76,10 @@ std::vector<BenchRow> two_balls() {
     const Tally sum = tally(shots);
     const Cost cost = cost_of(shots);
     const auto count = static_cast<double>(shots.size());
-    BenchRow rate = row("two_ball_shot", cost, count, 1, "shots/s", sum);
+    BenchRow rate = row("two_ball_shot", cost, count, {1, "shots/s"}, sum);
     rate.value = 1e9 / rate.value;
     rate.references = {{kPooltool, 237}, {kFastFiz, 71000}, {kPrototype, 370000}};
-    BenchRow events = row("two_ball_event", cost, sum.events, 1, "ns/event", sum);
+    BenchRow events = row("two_ball_event", cost, sum.events, {1, "ns/event"}, sum);
     events.references = {{kFastFiz, 1300}, {kPrototype, 220}};
     return {rate, events};
 }
@@ -84,10 +89,10 @@ std::vector<BenchRow> break_rows(const std::string& name, const Scene& scene,
     const std::array scenes{scene};
     const Tally sum = tally(scenes);
     const Cost cost = cost_of(scenes);
-    BenchRow shot = row(name, cost, 1, 1e-3, "us/shot", sum);
+    BenchRow shot = row(name, cost, 1, {1e-3, "us/shot"}, sum);
     shot.references = std::move(shots);
     shot.check += ", " + std::to_string(static_cast<int>(sum.events)) + " events";
-    BenchRow event = row(name + "_event", cost, sum.events, 1, "ns/event", sum);
+    BenchRow event = row(name + "_event", cost, sum.events, {1, "ns/event"}, sum);
     event.references = std::move(events);
     return {shot, event};
 }
@@ -120,9 +125,9 @@ std::vector<BenchRow> steps() {
         const Cost cost = cost_of(scenes);
         const std::string solver =
             std::string(name(kind)) + "_" + std::to_string(static_cast<int>(hz));
-        rows.push_back(row("ball_step_" + solver, cost, sum.ball_steps, 1, "ns/ball-step", sum));
+        rows.push_back(row("ball_step_" + solver, cost, sum.ball_steps, {1, "ns/ball-step"}, sum));
         rows.back().references = {{"stepping prototype", 17}};
-        rows.push_back(row("break_" + solver, cost, 1, 1e-3, "us/shot", sum));
+        rows.push_back(row("break_" + solver, cost, 1, {1e-3, "us/shot"}, sum));
     }
     return rows;
 }
@@ -136,9 +141,9 @@ std::vector<BenchRow> crowds() {
         const Tally sum = tally(scenes);
         const Cost cost = cost_of(scenes);
         const std::string name = "crowd_of_" + std::to_string(count);
-        rows.push_back(row(name, cost, sum.events, 1, "ns/event", sum));
+        rows.push_back(row(name, cost, sum.events, {1, "ns/event"}, sum));
         rows.back().check += ", " + std::to_string(static_cast<int>(sum.events)) + " events";
-        rows.push_back(row(name + "_by_log2", cost, sum.events * log2, 1, "ns/event/log2", sum));
+        rows.push_back(row(name + "_by_log2", cost, sum.events * log2, {1, "ns/event/log2"}, sum));
     }
     return rows;
 }
@@ -156,7 +161,7 @@ std::vector<BenchRow> ways_to_search() {
             simulator.simulate(scenes[0], 0, trace);
             sum.right = sum.right && trace.hash == simulate(scenes[0]).hash;
             rows.push_back(row("crowd_of_" + std::to_string(count) + "_" + way,
-                               cost_of(scenes, std::move(simulator)), sum.events, 1, "ns/event",
+                               cost_of(scenes, std::move(simulator)), sum.events, {1, "ns/event"},
                                sum));
         }
     }
@@ -203,12 +208,14 @@ BenchRow most_events(std::string name, const std::vector<Scene>& scenes, double 
 
 std::vector<BenchRow> event_counts() {
     std::vector<Scene> breaks{fifteen_ball_break(0)};
-    for (double gap = 1e-12; gap < 1.5e-3; gap *= 1.778279410038923)  // 10^(1/4)
+    constexpr double kFourthRootOfTen = 1.778279410038923;
+    double gap = 1e-12;
+    for (int i = 0; i <= 36; ++i, gap *= kFourthRootOfTen)
         breaks.push_back(fifteen_ball_break(gap));
     std::vector<Scene> chases;
-    for (const double gap : {0.0, 1e-12, 1e-9, 1e-6, 1e-4}) {
+    for (const double between : {0.0, 1e-12, 1e-9, 1e-6, 1e-4}) {
         for (const double surplus : {1e-12, 1e-9, 1e-6, 1e-4, 1e-2})
-            chases.push_back(slow_chase(gap, surplus));
+            chases.push_back(slow_chase(between, surplus));
     }
     return {most_events("most_events_of_a_break", breaks, 500, {kPrototype, 3771}),
             most_events("most_events_of_a_slow_chase", chases, 100, {kPooltool, 4590})};

@@ -71,10 +71,10 @@ Scene crowd(std::size_t count) {
     const double cell = std::sqrt(2.54 * 1.27 / 16);
     std::vector<Vec2> places;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto column = static_cast<double>(i % columns);
-        const auto row = static_cast<double>(i / columns);
-        const Vec2 centre{(column + 0.5) - static_cast<double>(columns) / 2,
-                          (row + 0.5) - static_cast<double>(rows) / 2};
+        const std::size_t column = i % columns;
+        const std::size_t row = i / columns;
+        const Vec2 centre{(static_cast<double>(column) + 0.5) - static_cast<double>(columns) / 2,
+                          (static_cast<double>(row) + 0.5) - static_cast<double>(rows) / 2};
         places.push_back(cell * centre + 0.15 * random.direction());
     }
     Scene scene = on_cloth(scene_of(places));

@@ -40,7 +40,7 @@ void rail_impact(benchmark::State& state, void (*bounce)(const RailContact&, Vec
             return;
         }
     }
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         for (Ball ball : balls) {
             bounce(kRail, ball.v, ball.w);
             benchmark::DoNotOptimize(ball);

@@ -13,7 +13,7 @@ void server_json(std::string_view bytes);
 void server_cbor(std::string_view bytes);
 void scene(std::string_view bytes);
 void replay(std::string_view bytes);
-void shot(std::string_view bytes);
+void shot(std::string_view input);
 
 /// Where `what` is wrong because this does not hold, says so on standard error and aborts.
 void require(bool holds, const char* what);

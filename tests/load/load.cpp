@@ -5,6 +5,7 @@
 
 #include <boost/asio/io_context.hpp>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -180,10 +181,10 @@ void measure_bytes() {
         const char* figure;
     };
 
-    const Watcher watchers[] = {{Encoding::kJson, Stream::kStates, "bytes_a_shot_json_states"},
-                                {Encoding::kCbor, Stream::kStates, "bytes_a_shot_cbor_states"},
-                                {Encoding::kJson, Stream::kShots, "bytes_a_shot_json_shots"},
-                                {Encoding::kCbor, Stream::kShots, "bytes_a_shot_cbor_shots"}};
+    const std::array watchers{Watcher{Encoding::kJson, Stream::kStates, "bytes_a_shot_json_states"},
+                              Watcher{Encoding::kCbor, Stream::kStates, "bytes_a_shot_cbor_states"},
+                              Watcher{Encoding::kJson, Stream::kShots, "bytes_a_shot_json_shots"},
+                              Watcher{Encoding::kCbor, Stream::kShots, "bytes_a_shot_cbor_shots"}};
     constexpr std::uint64_t kShots = 4;
     Scene scene;
     scene.players().reserve(6);

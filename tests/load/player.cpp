@@ -34,7 +34,7 @@ struct Player::State : std::enable_shared_from_this<State> {
     void write_next();
     void read_next();
     void take(const protocol::ServerMessage& message, std::size_t size);
-    void look_at(const TableState& table);
+    void look_at(const TableState& seen);
     void act();
 
     websocket::stream<tcp::socket> stream;

@@ -41,9 +41,9 @@ TEST(Regression, EventsAtTheEndOfATickDoNotLieBehindThoseOfTheNext) {
     const Vec2 edge = inset(Table{}, BallSpec{}.radius);
     for (int tick = 1; tick < 300; ++tick) {
         const double end = tick / 30.0;
-        std::vector<Vec2> places;
+        std::vector<Vec2> places(6);
         for (int i = 0; i < 6; ++i)
-            places.push_back({0, -0.5 + 0.2 * i});
+            places[static_cast<std::size_t>(i)].y = -0.5 + 0.2 * i;
         Scene scene = testing::scene_of(places);
         for (SceneBall& ball : scene.balls)
             ball.state.v.x = edge.x / (end * (1 + random.uniform(-2, 2) * 0x1p-52));

@@ -6,7 +6,7 @@ namespace poolhall::testing {
 
 /// 113-bit floating point, to check doubles against.
 #if defined(__SIZEOF_FLOAT128__)
-__extension__ typedef __float128 Quad;
+__extension__ typedef __float128 Quad;  // NOLINT(modernize-use-using): __extension__ takes no using
 #else
 using Quad = long double;
 #endif

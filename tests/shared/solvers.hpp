@@ -2,19 +2,20 @@
 
 #include "shared/physics/simulate.hpp"
 
+#include <array>
 #include <gtest/gtest.h>
 #include <string>
 
 namespace poolhall::testing {
 
 /// All but `overlap`, which misses contacts by design.
-inline constexpr SolverKind kSweptSolvers[] = {SolverKind::kEuler, SolverKind::kSemiImplicit,
-                                               SolverKind::kExactArc, SolverKind::kEvent};
-inline constexpr SolverKind kAllSolvers[] = {SolverKind::kEuler, SolverKind::kSemiImplicit,
-                                             SolverKind::kExactArc, SolverKind::kEvent,
-                                             SolverKind::kOverlap};
+inline constexpr std::array kSweptSolvers{SolverKind::kEuler, SolverKind::kSemiImplicit,
+                                          SolverKind::kExactArc, SolverKind::kEvent};
+inline constexpr std::array kAllSolvers{SolverKind::kEuler, SolverKind::kSemiImplicit,
+                                        SolverKind::kExactArc, SolverKind::kEvent,
+                                        SolverKind::kOverlap};
 /// Closed-form motion between events.
-inline constexpr SolverKind kClosedFormSolvers[] = {SolverKind::kExactArc, SolverKind::kEvent};
+inline constexpr std::array kClosedFormSolvers{SolverKind::kExactArc, SolverKind::kEvent};
 
 inline std::string solver_name(const ::testing::TestParamInfo<SolverKind>& test) {
     return std::string(name(test.param));

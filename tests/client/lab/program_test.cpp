@@ -38,13 +38,13 @@ class LabProgram : public ::testing::Test {
   protected:
     void SetUp() override {
         std::string pattern = (std::filesystem::temp_directory_path() / "labXXXXXX").string();
-        folder_ = mkdtemp(pattern.data());
+        folder = mkdtemp(pattern.data());
     }
 
-    void TearDown() override { std::filesystem::remove_all(folder_); }
+    void TearDown() override { std::filesystem::remove_all(folder); }
 
     [[nodiscard]] std::string path(const std::string& name) const {
-        return (folder_ / name).string();
+        return (folder / name).string();
     }
 
     /// Runs `poolhall-lab ARGUMENTS` with the text as standard input.
@@ -58,7 +58,7 @@ class LabProgram : public ::testing::Test {
                 lines_of(path("error"))};
     }
 
-    std::filesystem::path folder_;
+    std::filesystem::path folder;
 };
 
 /// A cue ball that hits an object ball.
@@ -166,10 +166,10 @@ TEST_F(LabProgram, RefusesFilesThatCannotBeRead) {
     EXPECT_EQ(missing.status, 2);
     EXPECT_EQ(missing.error, std::vector<std::string>{"poolhall-lab: " + path("missing.json") +
                                                       " cannot be opened"});
-    const ProgramRun folder = run("simulate " + folder_.string());
-    EXPECT_EQ(folder.status, 2);
-    EXPECT_EQ(folder.error,
-              std::vector<std::string>{"poolhall-lab: " + folder_.string() + " is a folder"});
+    const ProgramRun of_folder = run("simulate " + folder.string());
+    EXPECT_EQ(of_folder.status, 2);
+    EXPECT_EQ(of_folder.error,
+              std::vector<std::string>{"poolhall-lab: " + folder.string() + " is a folder"});
 }
 
 TEST_F(LabProgram, RefusesBadOptions) {

@@ -272,6 +272,7 @@ class NamedScene : public ::testing::TestWithParam<std::string> {};
 
 std::vector<std::string> names() {
     std::vector<std::string> names;
+    names.reserve(kShown.size());
     for (const auto& [name, shown] : kShown)
         names.push_back(name);
     return names;
