@@ -11,8 +11,8 @@ namespace poolhall {
 void lay_at_rest(Scene& scene, const ShotTrace& trace);
 
 /// Parts balls at rest that overlap by more than kTouchTolerance until they touch, so that the
-/// scene passes its check() again; without any it changes nothing. Balls overlap where exact_arc
-/// has let the cloth press them together.
+/// scene passes its check() again; without any it changes nothing. A ball that flew over another at
+/// the limit overlaps it once it is laid down.
 void part_overlapping(Scene& scene);
 
 }  // namespace poolhall
