@@ -37,42 +37,23 @@ class Cloth {
 
     /// An explicit Euler step of dt (s); `happened(kind, before)` hears of what ended with it.
     template <class Happened>
-    void kick(MovingBall& ball, double dt, Happened happened) const {
+    void kick(MovingBall& ball, double dt, const Happened& happened) const {
         // Rebuilt where something happens: a copy a step would cost more than the step.
         const Vec2 v = ball.v;
-        switch (ball.motion) {
-            case Motion::kSliding:
-                if constexpr (Set::template kHas<Sliding>) {
-                    if (effects_.template effect<Sliding>().kick(ball, dt)) {
-                        const MovingBall before = with_velocity(ball, v);
-                        ball.v = unless_rounding(ball.v, before);
-                        roll(ball);
-                        happened(EventKind::kSlideToRoll, before);
-                        if (ball.motion != Motion::kRolling)
-                            happened(EventKind::kRollToRest, before);
-                    }
-                }
-                break;
-            case Motion::kRolling:
-                if constexpr (Set::template kHas<Rolling>) {
-                    if (effects_.template effect<Rolling>().kick(ball, dt)) {
-                        const MovingBall before = with_velocity(ball, v);
-                        stop(ball);
-                        happened(EventKind::kRollToRest, before);
-                    }
-                }
-                break;
-            case Motion::kAirborne:
-                if constexpr (Set::template kHas<Airborne>) {
-                    const MovingBall before = ball;
-                    if (effects_.template effect<Airborne>().kick(ball, dt)) {
-                        settle(ball);
-                        happened(EventKind::kBounce, before);
-                    }
-                }
-                break;
-            default:
-                break;
+        const Motion motion = ball.motion;
+        if constexpr (Set::template kHas<Rolling>) {
+            if (motion == Motion::kRolling && effects_.template effect<Rolling>().kick(ball, dt))
+                [[unlikely]]
+                end_roll(ball, v, happened);
+        }
+        if constexpr (Set::template kHas<Sliding>) {
+            if (motion == Motion::kSliding && effects_.template effect<Sliding>().kick(ball, dt))
+                [[unlikely]]
+                end_slide(ball, v, happened);
+        }
+        if constexpr (Set::template kHas<Airborne>) {
+            if (motion == Motion::kAirborne) [[unlikely]]
+                kick_in_air(ball, dt, happened);
         }
         if constexpr (Set::template kHas<SpinDecay>) kick_side_spin(ball, dt, happened);
         if constexpr (Set::template kHas<LinearDrag>) kick_drag(ball, dt, happened);
@@ -214,12 +195,37 @@ class Cloth {
         }
     }
 
+    /// A slide that began the step with velocity v has come to its end.
     template <class Happened>
-    void kick_side_spin(MovingBall& ball, double dt, Happened happened) const {
+    void end_slide(MovingBall& ball, Vec2 v, const Happened& happened) const {
+        const MovingBall before = with_velocity(ball, v);
+        ball.v = unless_rounding(ball.v, before);
+        roll(ball);
+        happened(EventKind::kSlideToRoll, before);
+        if (ball.motion != Motion::kRolling) happened(EventKind::kRollToRest, before);
+    }
+
+    template <class Happened>
+    void end_roll(MovingBall& ball, Vec2 v, const Happened& happened) const {
+        const MovingBall before = with_velocity(ball, v);
+        stop(ball);
+        happened(EventKind::kRollToRest, before);
+    }
+
+    template <class Happened>
+    void kick_in_air(MovingBall& ball, double dt, const Happened& happened) const {
+        const MovingBall before = ball;
+        if (!effects_.template effect<Airborne>().kick(ball, dt)) return;
+        settle(ball);
+        happened(EventKind::kBounce, before);
+    }
+
+    template <class Happened>
+    void kick_side_spin(MovingBall& ball, double dt, const Happened& happened) const {
         if (ball.motion == Motion::kAirborne || ball.w.z == 0) return;
         const double spin = ball.w.z;
         ball.w.z = effects_.template effect<SpinDecay>().after(spin, ball.radius, dt);
-        if (ball.motion == Motion::kSpinning && ball.w.z == 0) {
+        if (ball.motion == Motion::kSpinning && ball.w.z == 0) [[unlikely]] {
             MovingBall before = ball;
             before.w.z = spin;
             ball.motion = Motion::kStationary;
@@ -228,14 +234,13 @@ class Cloth {
     }
 
     template <class Happened>
-    void kick_drag(MovingBall& ball, double dt, Happened happened) const {
+    void kick_drag(MovingBall& ball, double dt, const Happened& happened) const {
         if (ball.v == Vec2{}) return;
         const Vec2 v = ball.v;
         ball.v = effects_.template effect<LinearDrag>().euler_step(v, dt);
-        if (ball.v != Vec2{}) return;
-        const MovingBall before = with_velocity(ball, v);
-        stop(ball);
-        happened(EventKind::kRollToRest, before);
+        if (ball.v != Vec2{}) [[likely]]
+            return;
+        end_roll(ball, v, happened);
     }
 
     void slide(const MovingBall& ball, Arc& arc) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/physics/box.hpp"
+#include "shared/physics/boxes.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace poolhall {
 /// comparisons, and only the others, the loose ones, are looked at closely.
 class FreeBoxes {
   public:
-    /// Forgets all boxes.
-    void reset(std::size_t balls) {
+    /// Forgets all boxes. `room` and `many` are for Boxes.
+    void reset(std::size_t balls, const Box& room, std::size_t many) {
         home_.assign(balls, kNowhere);
-        reach_.assign(balls, kNowhere);
+        reach_.reset(balls, room, many);
     }
 
     /// True if r is in the ball's box.
@@ -31,13 +31,16 @@ class FreeBoxes {
     }
 
     /// A ball that meets nobody any more.
-    void remove(std::size_t ball) { home_[ball] = reach_[ball] = kNowhere; }
+    void remove(std::size_t ball) {
+        home_[ball] = kNowhere;
+        reach_.remove(ball);
+    }
 
     /// A ball at rest at r (m). Those in whose boxes it is become loose.
     void settle(std::size_t ball, Vec2 r, double radius) {
         if (is_point(home_[ball]) && holds(ball, r)) return;
         home_[ball] = {r.x, r.x, r.y, r.y};
-        reach_[ball] = widened(home_[ball], radius);
+        reach_.set(ball, widened(home_[ball], radius));
         for_each_near(ball, [&](std::size_t other) {
             if (!is_point(home_[other])) home_[other] = kNowhere;
         });
@@ -54,13 +57,13 @@ class FreeBoxes {
         home_[ball] = kNowhere;
         const auto [low_x, high_x] = std::minmax(from.x, to.x);
         const auto [low_y, high_y] = std::minmax(from.y, to.y);
-        reach_[ball] = widened({low_x, high_x, low_y, high_y}, radius);
+        reach_.set(ball, widened({low_x, high_x, low_y, high_y}, radius));
     }
 
     /// Gives the loose ball this box for its centre, if what it could cover there is clear of what
     /// others may.
     bool claim(std::size_t ball, const Box& centres, double radius) {
-        reach_[ball] = widened(centres, radius);
+        reach_.set(ball, widened(centres, radius));
         bool alone = true;
         for_each_near(ball, [&](std::size_t) { alone = false; });
         if (alone) home_[ball] = centres;
@@ -70,17 +73,7 @@ class FreeBoxes {
     /// Calls meet(other) for every ball that may be where `ball` may be, in order.
     template <class Meet>
     void for_each_near(std::size_t ball, Meet meet) const {
-        const Box box = reach_[ball];
-        const Box* const reach = reach_.data();
-        const std::size_t count = reach_.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            // No short cut: the comparisons cost less than branches that cannot be foreseen.
-            const int overlaps = static_cast<int>(reach[i].low_x <= box.high_x) &
-                                 static_cast<int>(box.low_x <= reach[i].high_x) &
-                                 static_cast<int>(reach[i].low_y <= box.high_y) &
-                                 static_cast<int>(box.low_y <= reach[i].high_y);
-            if (overlaps != 0 && i != ball) meet(i);
-        }
+        reach_.for_each_overlap(ball, 0, meet);
     }
 
   private:
@@ -97,8 +90,8 @@ class FreeBoxes {
                 centres.high_y + reach};
     }
 
-    std::vector<Box> home_;   ///< of the centre; nowhere for a loose ball
-    std::vector<Box> reach_;  ///< of the surface: in its box, or in this step if the ball is loose
+    std::vector<Box> home_;  ///< of the centre; nowhere for a loose ball
+    Boxes reach_;            ///< of the surface: in its box, or in this step if the ball is loose
 };
 
 }  // namespace poolhall

@@ -83,6 +83,8 @@ std::optional<double> scaled_time(const UniformMotion& a, const UniformMotion& b
             if (q_error <= kAllowed * root * denominator) return gap / denominator;
         }
     }
+    // Balls that touch mostly part; what is beyond rounding needs no more digits.
+    if (approach < -kRounding * (std::abs(c.x * v.x) + std::abs(c.y * v.y))) return std::nullopt;
     return precise_time(a, b, distance);
 }
 

@@ -44,13 +44,15 @@ class InstantSearch {
     InstantSearch(const Set& set, ShotRun& run, const Paths& paths)
         : set_(set),
           paths_(paths),
+          table_(run.scene().table),
           balls_(run.balls()),
           work_(run.workspace()),
           memory_(work_.stepping) {}
 
     /// To be called once, with settled balls.
     void begin_shot() {
-        memory_.boxes.reset(balls_.size());
+        const Vec2 half{table_.length / 2, table_.width / 2};
+        memory_.boxes.reset(balls_.size(), {-half.x, half.x, -half.y, half.y}, work_.many_balls);
         memory_.next.resize(balls_.size());
         memory_.outlooks.clear();
         for (const MovingBall& ball : balls_)
@@ -109,8 +111,9 @@ class InstantSearch {
     }
 
   private:
-    /// Ticks for which a box is made, if there is room.
-    static constexpr int kMostTicks = 16;
+    /// For how many ticks and ball's radii of way a box is made at most.
+    static constexpr double kMostTicks = 64;
+    static constexpr double kLongest = 4;
 
     void forget() {
         work_.contacts.clear();
@@ -139,7 +142,10 @@ class InstantSearch {
         const MovingBall& ball = balls_[i];
         if (!in_play(ball) || ball.motion == Motion::kStationary) return;
         Outlook& outlook = memory_.outlooks[i];
-        const Vec2 way = static_cast<double>(outlook.ticks) * dt * xy(paths_.drift(i));
+        if (!outlook.is_alone) return;
+        const Vec2 step = dt * xy(paths_.drift(i));
+        const double longest = kLongest * ball.radius / (std::abs(step.x) + std::abs(step.y));
+        const Vec2 way = std::min(outlook.ticks, longest) * step;
         const Vec2 clear = outlook.clear;
         if (std::abs(ball.r.x) > clear.x || std::abs(ball.r.y) > clear.y) return;
         // Its way bends.
@@ -151,7 +157,7 @@ class InstantSearch {
         if (memory_.boxes.claim(i, box, ball.radius)) {
             outlook.ticks = std::min(2 * outlook.ticks, kMostTicks);
         } else {
-            outlook.ticks = std::max(outlook.ticks / 2, 1);
+            outlook.ticks = std::max(outlook.ticks / 2, 1.0);
         }
     }
 
@@ -184,7 +190,9 @@ class InstantSearch {
 
     void find_ball_contacts() {
         for (const std::size_t i : memory_.loose) {
+            memory_.outlooks[i].is_alone = true;
             memory_.boxes.for_each_near(i, [&](std::size_t j) {
+                memory_.outlooks[i].is_alone = false;
                 // Two loose balls find each other twice.
                 if (j < i && memory_.boxes.is_loose(j)) return;
                 find_ball_contact(std::min(i, j), std::max(i, j));
@@ -279,6 +287,7 @@ class InstantSearch {
 
     const Set& set_;
     const Paths& paths_;
+    const Table& table_;
     std::vector<MovingBall>& balls_;
     Workspace& work_;
     SteppingMemory& memory_;

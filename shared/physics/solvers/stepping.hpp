@@ -107,29 +107,35 @@ class SteppingSolver {
 
     /// To the end of the time that was looked at.
     void arrive(double time) {
+        MovingBall* const balls = balls_.data();
         for (const std::size_t i : work_.stepping.moving) {
-            balls_[i].r = search_.next(i);
-            balls_[i].height = height_after(i, time);
+            const Vec2 next = search_.next(i);
+            balls[i].height = height_after(i, time);
+            balls[i].r.x = next.x;
+            balls[i].r.y = next.y;
         }
     }
 
     void advance(double time) {
         for (const std::size_t i : work_.stepping.moving) {
-            balls_[i].r = balls_[i].r + time * balls_[i].v;
             balls_[i].height = height_after(i, time);
+            balls_[i].r = balls_[i].r + time * balls_[i].v;
         }
     }
 
     void kick_all(double dt, double t) {
+        MovingBall* const balls = balls_.data();
+        std::size_t kicked = 0;
         bool changed = false;
+        const auto happened = [&](EventKind kind, const MovingBall& before) {
+            run_.record(t, kind, kicked, before);
+            changed = true;
+        };
         for (const std::size_t i : work_.stepping.moving) {
-            MovingBall& ball = balls_[i];
-            cloth_.kick(ball, dt, [&](EventKind kind, const MovingBall& before) {
-                run_.record(t, kind, i, before);
-                changed = true;
-            });
+            kicked = i;
+            cloth_.kick(balls[i], dt, happened);
             // Friction may turn two balls towards each other again.
-            if constexpr (Set::template kHas<Sliding>) ball.partner = MovingBall::kNobody;
+            if constexpr (Set::template kHas<Sliding>) balls[i].partner = MovingBall::kNobody;
         }
         if (changed) search_.note_changes();
     }

@@ -16,8 +16,9 @@ struct Chord {
 
 /// How a ball's box is made.
 struct Outlook {
-    Vec2 clear;     ///< up to which |x| and |y| its centre meets nothing of the table, m
-    int ticks = 1;  ///< for how many ticks
+    Vec2 clear;            ///< up to which |x| and |y| its centre meets nothing of the table, m
+    double ticks = 1;      ///< for how many ticks, if it has room
+    bool is_alone = true;  ///< in the tick before
 };
 
 /// What the stepping solvers keep of each ball, apart from the ball.

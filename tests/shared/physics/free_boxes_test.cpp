@@ -15,7 +15,7 @@ std::vector<std::size_t> near(const FreeBoxes& boxes, std::size_t ball) {
 
 class TwoBalls : public ::testing::Test {
   protected:
-    TwoBalls() { boxes_.reset(2); }
+    TwoBalls() { boxes_.reset(2, {-10, 10, -10, 10}, 24); }
 
     FreeBoxes boxes_;
 };
