@@ -1,6 +1,7 @@
 // What the simulation costs. Every benchmark checks its answer before it times it. CSV:
 // --benchmark_format=csv; the compiler, its flags and the processor stand in the context.
 
+#include "client/lab/bench_scenes.hpp"
 #include "client/lab/build_info.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
@@ -67,6 +68,35 @@ void tick_of_two_balls(benchmark::State& state) {
         kTicks, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+/// A whole shot of 16 balls that begin with 2 m/s each and slide, roll, meet each other and the
+/// rails, by Euler's steps; the argument is their rate. `per_ball_step` is its time over ticks and
+/// balls.
+void shot_of_sixteen_balls(benchmark::State& state) {
+    Scene scene = lab::crowd(16);
+    scene.effects.spin_decay.reset();
+    scene.effects.ball_ball.model = BallBallModel::kRestitution;
+    scene.effects.rail.model = RailModel::kRestitution;
+    scene.solver = {SolverKind::kEuler, static_cast<double>(state.range(0))};
+    Simulator simulator;
+    ShotTrace trace;
+    ShotTrace other;
+    simulator.simulate(scene, 0, trace);
+    if (trace.kernel != "slide_roll" || trace.outcome != Outcome::kRest ||
+        !simulator.simulate_by("everything", scene, 0, other) || other.hash != trace.hash) {
+        state.SkipWithError("not the shot that it should be");
+        return;
+    }
+    for ([[maybe_unused]] auto _ : state) {
+        simulator.simulate(scene, 0, trace);
+        benchmark::DoNotOptimize(trace.hash);
+    }
+    state.counters["ticks"] = static_cast<double>(trace.ticks);
+    state.counters["events"] = static_cast<double>(trace.events.size());
+    state.counters["per_ball_step"] = benchmark::Counter(
+        static_cast<double>(trace.ticks * scene.balls.size()),
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 /// The argument: 0 a full hit, 1 a miss, 2 a graze by 1e-7 rad, which takes double-double.
 void impact(benchmark::State& state) {
     constexpr double kDiameter = 2 * BallSpec{}.radius;
@@ -90,6 +120,14 @@ void impact(benchmark::State& state) {
 
 BENCHMARK(tick_of_two_balls);
 BENCHMARK(whole_shot)->ArgName("sample_hz")->Arg(0)->Arg(30)->Unit(benchmark::kMicrosecond);
+BENCHMARK(shot_of_sixteen_balls)
+    ->ArgName("hz")
+    ->Arg(30)
+    ->Arg(60)
+    ->Arg(120)
+    ->Arg(240)
+    ->Arg(480)
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(impact)->ArgName("full0_miss1_graze2")->DenseRange(0, 2);
 
 }  // namespace
