@@ -140,7 +140,7 @@ template <class Vec>
 double refine(const Gap<Vec>& gap, double t, double horizon) {
     const double rate = gap.rate(t);
     if (gap.uncertainty(t) <= kAllowed * t * std::abs(rate)) return t;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < kMaxIterations; ++i) {
         const double next = t - gap.precise_at(t) / gap.rate(t);
         if (!(next >= 0 && next <= horizon)) break;
         const bool done = std::abs(next - t) <= kExtremeTolerance * t;
@@ -188,7 +188,7 @@ double first_contact_curved(const RelativeArc<Vec>& arc, double distance, double
         if (turns && slope_begin < 0 && std::abs(gap_high) <= gap.uncertainty(high))
             gap_high = gap.precise_at(high);
         // Touching to within rounding, they opened too little to show and close again.
-        if (turns && slope_begin >= 0 && gap_high <= 0) return high;
+        if (turns && slope_begin >= 0 && gap_high <= gap.uncertainty(high)) return high;
         if (gap_low > 0 && gap_high <= 0 && slope_begin < 0)
             return root_in({low, high, gap_low, gap_high});
         low = high;

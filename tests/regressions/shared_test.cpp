@@ -1,6 +1,7 @@
 // One test a bug of the simulation that was found and mended.
 
 #include "shared/physics/contact.hpp"
+#include "shared/physics/contact_time.hpp"
 #include "shared/physics/time_of_impact.hpp"
 #include "tests/shared/contacts.hpp"
 #include "tests/shared/scenes.hpp"
@@ -93,6 +94,47 @@ TEST(Regression, BallsAgainstDeadRailsHandNoRoundingToAndFro) {
     const ShotTrace trace = simulate(scene);
     EXPECT_EQ(Outcome::kRest, trace.outcome);
     EXPECT_LT(trace.events.size(), 50U);
+}
+
+/// A ball in the mouth of the north-eastern pocket, by the event solver.
+Scene in_the_mouth(const BallState& state) {
+    Scene scene = testing::scene_of({xy(state.r)});
+    scene.balls[0].state = state;
+    scene.table.pockets = PocketModel::kPool;
+    scene.effects = lab::cloth_effects();
+    scene.solver.kind = SolverKind::kEvent;
+    return scene;
+}
+
+TEST(Regression, BallThatItsSpinBringsBackToAJawTouchesItAgain) {
+    // It had left the jaw that it touched, so the search had done with that jaw.
+    const ShotTrace trace = simulate(
+        in_the_mouth({{0x1.301eb7bb214cbp+0, 0x1.36c0e8a5de3aep-1, 0},
+                      {0x1.b78bdb8712fe3p-4, -0x1.9d9f70428c8p-12, 0},
+                      {-0x1.567a796f09637p+5, 0x1.5bb0967b1493dp+5, 0x1.23118d4a4eea6p+4}}));
+    ASSERT_FALSE(trace.events.empty());
+    EXPECT_EQ(EventKind::kBallRail, trace.events[0].kind);
+    EXPECT_NEAR(0.0365, trace.events[0].t, 1e-4);
+}
+
+TEST(Regression, BallThatCurvesRoundAJawTouchesTheFacingBehindIt) {
+    // From beside the jaw it was behind the facing's line, and the search had left the line out.
+    const ShotTrace trace = simulate(
+        in_the_mouth({{0x1.337f54ba19832p+0, 0x1.38b8e6541886cp-1, 0},
+                      {0x1.903268524a90cp-3, 0x1.ea41c90ca2de8p-5, 0},
+                      {-0x1.415ef6e48026dp+7, 0x1.0d1c4e88f9959p+6, -0x1.439075ad5c04ep+2}}));
+    ASSERT_FALSE(trace.events.empty());
+    EXPECT_EQ(EventKind::kBallRail, trace.events[0].kind);
+}
+
+TEST(Regression, BallsThatTouchToWithinRoundingAndArePressedMeetAtOnce) {
+    // After an impact with e = 0: a gap of 2e-19 m^2 that closes. Newton's method had not come to
+    // the root within the steps that it was given, and the balls overlapped by 4 um.
+    const RelativeArc<Vec2> arc{{-0x1.7ee32ed95941p-5, -0x1.0d698c0fb432p-5},
+                                {-0x1.4dbd060feeab4p-3, 0x1.da4eae1e61d26p-3},
+                                {0x1.b684756dab2eep+1, 0x1.d6e54852a2e2ep+0}};
+    for (const double horizon : {1e-3, 0.01, 0.02, 0.05, 0.3})
+        EXPECT_LE(first_contact(arc, kDiameter, horizon), 1e-8) << horizon;
 }
 
 }  // namespace

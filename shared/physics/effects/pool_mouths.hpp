@@ -72,11 +72,15 @@ class PoolMouths {
     /// their ends, and the backs of facings. `gap` (m) is how far its surface is from the line.
     [[nodiscard]] static bool faces(double gap) { return gap >= -kTouchTolerance; }
 
+    /// A dead cushion leaves nothing but rounding of what came in, m/s. No impact would end that.
+    [[nodiscard]] static double rounding_of(Vec2 v) {
+        return 0x1p-48 * (std::abs(v.x) + std::abs(v.y));
+    }
+
     /// What a ball meets first if it moves on with velocity v; of a line and an arc at once the
     /// line, at whose end they have the same normal.
     [[nodiscard]] std::optional<CushionHit> straight_hit(const MovingBall& ball, Vec2 v) const {
-        // A dead cushion leaves nothing but rounding of what came in. No impact would end that.
-        const double rounding = 0x1p-48 * (std::abs(v.x) + std::abs(v.y));
+        const double rounding = rounding_of(v);
         std::optional<CushionHit> first;
         for (const CushionLine& line : table_.lines()) {
             const double closing = dot(v, line.normal);

@@ -9,6 +9,8 @@
 #include "shared/physics/effects/rails.hpp"
 #include "shared/physics/own_event.hpp"
 
+#include <cmath>
+
 namespace poolhall {
 
 /// Finds the first rail or pocket on a ball's arc. Times inside are from the arc's beginning.
@@ -68,6 +70,12 @@ class OwnEventSearch {
         return arc_.drag > 0 ? time_under_drag(arc_.drag, t) : t;
     }
 
+    /// When what is behind a line, and so has a negative gap, has come before it and is back, s.
+    [[nodiscard]] static double time_back(double gap, double v, double a) {
+        const double square = v * v + 2 * a * gap;
+        return v < 0 && a > 0 && square > 0 ? (std::sqrt(square) - v) / a : kNever;
+    }
+
     void find_rails(const Rails& rails) {
         const Vec2 edge = rails.edge(ball_.radius);
         const Vec2 nose = rails.edge(0);
@@ -85,8 +93,10 @@ class OwnEventSearch {
         if (!mouths.may_reach(reach_)) return;
         for (const CushionLine& line : mouths.table().lines()) {
             const double gap = dot(line.from - ball_.r, line.normal) - ball_.radius;
-            if (!PoolMouths::faces(gap)) continue;
-            const double dt = time_to(gap, dot(ball_.v, line.normal), dot(arc_.a, line.normal));
+            const double closing = dot(ball_.v, line.normal);
+            const double v = std::abs(closing) <= PoolMouths::rounding_of(ball_.v) ? 0 : closing;
+            const double a = dot(arc_.a, line.normal);
+            const double dt = PoolMouths::faces(gap) ? time_to(gap, v, a) : time_back(gap, v, a);
             if (dt <= horizon_ && within(line, place_on(ball_, arc_, arc_.since + dt)))
                 touch_first(dt, line.rail, line.normal);
         }
@@ -136,9 +146,11 @@ class OwnEventSearch {
             return kNever;
         const Vec2 c = ball_.r - place;
         if (dot(c, c) <= distance * distance) {
-            // Touching rubber is no entry; a hole holds whatever is in it.
             const double approach = -dot(c, ball_.v);
-            return approach > 0 || (approach == 0 && dot(c, arc_.a) < 0) ? 0 : kNever;
+            const double rounding = distance * PoolMouths::rounding_of(ball_.v);
+            if (approach > rounding || (approach >= -rounding && dot(c, arc_.a) < 0)) return 0;
+            // Only a parabola comes back to what it leaves.
+            if (arc_.a == Vec2{} || ball_.motion == Motion::kRolling) return kNever;
         }
         if (arc_.drag > 0)
             return time_under_drag(arc_.drag,

@@ -60,9 +60,7 @@ Scene pressed_scene(testing::Random& random) {
 
 class PressedClusters : public ::testing::TestWithParam<SolverKind> {};
 
-INSTANTIATE_TEST_SUITE_P(Solvers, PressedClusters,
-                         ::testing::Values(SolverKind::kEuler, SolverKind::kSemiImplicit,
-                                           SolverKind::kExactArc),
+INSTANTIATE_TEST_SUITE_P(Solvers, PressedClusters, ::testing::ValuesIn(testing::kSweptSolvers),
                          testing::solver_name);
 
 TEST_P(PressedClusters, ComeToAnEndAndNeverOverlap) {
