@@ -42,8 +42,15 @@ void apply_normal(double impulse, Vec3 n, ImpactBall& a, ImpactBall& b) {
 }
 
 void apply_friction(const BallFriction& friction, double normal_impulse, Vec3 n, ImpactBall& a,
-                    ImpactBall& b, VerticalPart vertical = VerticalPart::kToSlate) {
-    apply_tangential(friction_impulse(friction, normal_impulse, n, a, b), n, vertical, a, b);
+                    ImpactBall& b) {
+    apply_tangential(friction_impulse(friction, normal_impulse, n, a, b), n, VerticalPart::kToSlate,
+                     a, b);
+}
+
+void apply_friction_in_air(const BallFriction& friction, double normal_impulse, Vec3 n,
+                           ImpactBall& a, ImpactBall& b) {
+    apply_tangential(friction_impulse(friction, normal_impulse, n, a, b), n, VerticalPart::kToBalls,
+                     a, b);
 }
 
 /// The angle (degrees) by which the object ball leaves the line of centres, against the cut, when a
@@ -288,8 +295,7 @@ TEST(BallFriction, KeepsMomentumAndAngularMomentumOfUnequalBalls) {
         Impact impact(random);
         const Vec3 before = momentum(impact.a, impact.b);
         const Vec3 turning = angular_momentum(impact.n, impact.a, impact.b);
-        apply_friction(by_speed(), impact.normal(), impact.n, impact.a, impact.b,
-                       VerticalPart::kToBalls);
+        apply_friction_in_air(by_speed(), impact.normal(), impact.n, impact.a, impact.b);
         EXPECT_LE(norm(momentum(impact.a, impact.b) - before), 4e-16 * 5);
         EXPECT_LE(norm(angular_momentum(impact.n, impact.a, impact.b) - turning), 4e-16);
     }
@@ -302,8 +308,8 @@ TEST(BallFriction, NeverRaisesTheEnergy) {
         const bool level = i % 2 == 0;
         if (level) impact.a.v.z = impact.b.v.z = 0;
         const double before = energy(impact.a) + energy(impact.b);
-        apply_friction(constant(random.uniform(0, 2)), impact.normal(), impact.n, impact.a,
-                       impact.b, level ? VerticalPart::kToSlate : VerticalPart::kToBalls);
+        const auto apply = level ? apply_friction : apply_friction_in_air;
+        apply(constant(random.uniform(0, 2)), impact.normal(), impact.n, impact.a, impact.b);
         EXPECT_LE(energy(impact.a) + energy(impact.b), before * (1 + 4e-16));
     }
 }
@@ -313,8 +319,7 @@ TEST(BallFriction, SlowsTheSlipAndNeverTurnsItRound) {
     for (int i = 0; i < 2000; ++i) {
         Impact impact(random);
         const Vec3 before = slip_velocity(impact.n, impact.a, impact.b);
-        apply_friction(by_speed(), impact.normal(), impact.n, impact.a, impact.b,
-                       VerticalPart::kToBalls);
+        apply_friction_in_air(by_speed(), impact.normal(), impact.n, impact.a, impact.b);
         const Vec3 after = slip_velocity(impact.n, impact.a, impact.b);
         EXPECT_GE(dot(before, after), -1e-14 * dot(before, before));
         EXPECT_LT(norm(after), norm(before));
@@ -326,7 +331,7 @@ TEST(BallFriction, EndsTheSlipOfAnyBallsWhereItIsStrongEnough) {
     testing::Random random(35);
     for (int i = 0; i < 2000; ++i) {
         Impact impact(random);
-        apply_friction(constant(1e9), 1, impact.n, impact.a, impact.b, VerticalPart::kToBalls);
+        apply_friction_in_air(constant(1e9), 1, impact.n, impact.a, impact.b);
         EXPECT_LE(norm(slip_velocity(impact.n, impact.a, impact.b)), 1e-14);
     }
 }
@@ -345,8 +350,7 @@ TEST(BallFriction, OnTheClothTheSlateTakesTheVerticalImpulse) {
     ImpactBall lifted_cue = cue;
     ImpactBall pressed_object = object;
     apply_friction(constant(0.05), kMass, {1, 0, 0}, cue, object);
-    apply_friction(constant(0.05), kMass, {1, 0, 0}, lifted_cue, pressed_object,
-                   VerticalPart::kToBalls);
+    apply_friction_in_air(constant(0.05), kMass, {1, 0, 0}, lifted_cue, pressed_object);
     EXPECT_EQ(0, cue.v.z);
     EXPECT_EQ(0, object.v.z);
     EXPECT_NEAR(0.05, lifted_cue.v.z, 1e-15);
