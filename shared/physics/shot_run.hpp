@@ -94,6 +94,16 @@ class ShotRun {
         next_sample_ = static_cast<double>(++samples_) / trace_.sample_hz;
     }
 
+    /// Writes the samples due before `until` (s); place_after(i, time) says where ball i is `time`
+    /// s after `from`.
+    template <class PlaceAfter>
+    void sample_before(double until, double from, PlaceAfter place_after) {
+        while (next_sample_ < until) {
+            const double passed = next_sample_ - from;
+            sample([&](std::size_t i) { return place_after(i, passed); });
+        }
+    }
+
     /// Writes the samples due up to t, the balls' places being those at t.
     void sample_at(double t);
 

@@ -58,7 +58,8 @@ class ExactArcSolver {
             find_first(now, rest);
             const double next = search_.first();
             if (next <= rest && renew_chords(now, next)) continue;
-            sample_until(std::min(now + std::min(next, rest), end), now);
+            run_.sample_before(std::min(now + std::min(next, rest), end), now,
+                               [this](std::size_t i, double time) { return place_after(i, time); });
             if (next > rest) {
                 arrive(end);
                 search_.claim_boxes(dt);
@@ -96,13 +97,6 @@ class ExactArcSolver {
             any = true;
         }
         return any;
-    }
-
-    void sample_until(double until, double from) {
-        while (run_.next_sample() < until) {
-            const double passed = run_.next_sample() - from;
-            run_.sample([&](std::size_t i) { return place_after(i, passed); });
-        }
     }
 
     [[nodiscard]] Vec3 place_after(std::size_t i, double time) const {

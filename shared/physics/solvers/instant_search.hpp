@@ -32,9 +32,8 @@ concept OuterEffect = requires(const Effect& effect) {
 /// Finds what happens first while every ball goes straight and uniformly for some time: captures by
 /// pockets, contacts of balls, contacts with rails. `Paths` tells how they go:
 ///
-///     Vec3 drift(std::size_t ball) const;                          // its velocity, m/s
-///     bool have_parted(std::size_t a, std::size_t b) const;        // cannot meet, but for
-///     rounding
+///     Vec3 drift(std::size_t ball) const;                    // its velocity, m/s
+///     bool have_parted(std::size_t a, std::size_t b) const;  // cannot meet, but by rounding
 ///
 /// Only loose balls (free_boxes.hpp) are looked at. What is found is in the workspace's `captures`
 /// and `contacts`, in the order of effects and balls.

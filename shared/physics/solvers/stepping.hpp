@@ -72,7 +72,8 @@ class SteppingSolver {
             search_.begin(rest);
             search_.look();
             const double next = search_.first();
-            sample_until(std::min(begin + passed + std::min(next, rest), end), begin + passed);
+            run_.sample_before(std::min(begin + passed + std::min(next, rest), end), begin + passed,
+                               [this](std::size_t i, double time) { return place_after(i, time); });
             if (next > rest) {
                 arrive(rest);
                 if constexpr (kScheme == Scheme::kEuler) kick_all(dt, end);
@@ -89,14 +90,9 @@ class SteppingSolver {
         return Outcome::kStalled;
     }
 
-    void sample_until(double until, double from) {
-        while (run_.next_sample() < until) {
-            const double passed = run_.next_sample() - from;
-            run_.sample([&](std::size_t i) {
-                const Vec3 way = passed * paths_.drift(i);
-                return Vec3{balls_[i].r.x + way.x, balls_[i].r.y + way.y, height_after(i, passed)};
-            });
-        }
+    [[nodiscard]] Vec3 place_after(std::size_t i, double time) const {
+        const Vec3 way = time * paths_.drift(i);
+        return {balls_[i].r.x + way.x, balls_[i].r.y + way.y, height_after(i, time)};
     }
 
     [[nodiscard]] double height_after(std::size_t i, double time) const {
