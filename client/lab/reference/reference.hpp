@@ -1,0 +1,43 @@
+#pragma once
+
+#include "shared/physics/scene.hpp"
+#include "shared/physics/trace.hpp"
+
+#include <memory>
+
+namespace poolhall::lab {
+
+/// Simulates shots by the event solver in numbers of 113 bits: what doubles are measured against.
+///
+/// The same sources of shared/, compiled a second time (CMakeLists.txt here says how), so that the
+/// model is the same to the last branch and only the arithmetic differs. The scene's numbers are
+/// its doubles, exactly; from the strike on all is 113 bits, and an event is the soonest in 113
+/// bits. Two things stay what they are in doubles, because they are part of the model: rails are
+/// met at |x| = length/2 - radius rounded to a double, as the scene's format says, and Mathavan's
+/// rail is integrated in the same steps to the same tolerance, whose error is not seen here.
+///
+/// The scene must have passed check() for the event solver; its `solver` is not looked at. One at a
+/// time a thread. Memory is used again from shot to shot.
+class ReferenceSimulator {
+  public:
+    ReferenceSimulator();
+    ~ReferenceSimulator();
+    ReferenceSimulator(ReferenceSimulator&&) noexcept;
+    ReferenceSimulator& operator=(ReferenceSimulator&&) noexcept;
+
+    /// As Simulator::simulate(). Every number of the trace is the double nearest to that of 113
+    /// bits; `solver` is kEvent, `kernel` "everything", which gives the same as any other, and
+    /// `hash` that of the rounded trace.
+    void simulate(const Scene& scene, double sample_hz, ShotTrace& trace);
+
+    /// The same, and in `rest` what rounding took away: a trace of the same shape, in which every
+    /// real number x of `trace` has its x_exact - x, so that x and it together have 106 bits or
+    /// more. Its other fields are those of `trace`, its hash is 0.
+    void simulate(const Scene& scene, double sample_hz, ShotTrace& trace, ShotTrace& rest);
+
+  private:
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace poolhall::lab
