@@ -70,8 +70,6 @@ void ShotRun::record(double t, EventKind kind, std::size_t ball, const MovingBal
 
 void ShotRun::record_pair(double t, std::size_t a, std::size_t b, const MovingBall& before_a,
                           const MovingBall& before_b) {
-    balls()[a].partner = b;
-    balls()[b].partner = a;
     ShotEvent& event = add_event(t, EventKind::kBallBall, a, before_a);
     event.ball_count = 2;
     event.balls[1] = index_of(b);
@@ -80,7 +78,6 @@ void ShotRun::record_pair(double t, std::size_t a, std::size_t b, const MovingBa
 }
 
 void ShotRun::record_rail(double t, std::size_t ball, Rail rail, const MovingBall& before) {
-    balls()[ball].partner = MovingBall::kNobody;
     add_event(t, EventKind::kBallRail, ball, before).rail = rail;
 }
 

@@ -59,6 +59,11 @@ struct SlideRollSpin : EffectSet<Sliding, Rolling, SpinDecay, Rails, PocketCircl
     static constexpr std::string_view kName = "slide_roll_spin";
 };
 
+struct SlideRollSpinEndGame : EffectSet<Sliding, Rolling, SpinDecay, Rails, EndGamePockets> {
+    using EffectSet::EffectSet;
+    static constexpr std::string_view kName = "slide_roll_spin_end_game";
+};
+
 struct SlideRollSpinMouths : EffectSet<Sliding, Rolling, SpinDecay, PoolMouths> {
     using EffectSet::EffectSet;
     static constexpr std::string_view kName = "slide_roll_spin_mouths";
@@ -70,6 +75,6 @@ struct Everything : SetOf<AllEffects> {
 };
 
 using KernelList = std::tuple<OpenCloth, RailsOnly, DragRails, DragRailsPockets, Roll, SlideRoll,
-                              SlideRollSpin, SlideRollSpinMouths, Everything>;
+                              SlideRollSpin, SlideRollSpinEndGame, SlideRollSpinMouths, Everything>;
 
 }  // namespace poolhall

@@ -5,6 +5,7 @@
 #include "shared/physics/effects/rails.hpp"
 #include "shared/physics/shot_run.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace poolhall {
@@ -42,6 +43,28 @@ void snap_to_rails(const Set& set, ShotRun& run) {
     }
 }
 
+/// Whether another of the contacts shares a ball with this one.
+[[nodiscard]] inline bool is_one_of_several(const Contact& contact,
+                                            const std::vector<Contact>& contacts) {
+    const auto holds = [](const Contact& other, std::size_t ball) {
+        return other.a == ball || other.b == ball;
+    };
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& other) {
+        return &other != &contact && (holds(other, contact.a) || holds(other, contact.b));
+    });
+}
+
+/// Notes who has met whom. A ball that has met several at once has no partner: which of them it
+/// were would hang on their order.
+inline void note_partners(const std::vector<Contact>& contacts, std::vector<MovingBall>& balls) {
+    for (const Contact& contact : contacts) {
+        const bool is_pair =
+            contact.kind == Contact::Kind::kBalls && !is_one_of_several(contact, contacts);
+        balls[contact.a].partner = is_pair ? contact.b : MovingBall::kNobody;
+        balls[contact.b].partner = is_pair ? contact.a : MovingBall::kNobody;
+    }
+}
+
 /// Lets the workspace's contacts, whose balls are as they are at t, happen as one group, and
 /// records them. False if they do not settle.
 template <class Set>
@@ -68,6 +91,7 @@ bool resolve_contacts(const Set& set, const Cloth<Set>& cloth, ShotRun& run, dou
             run.record_pair(t, contact.a, contact.b, work.before[2 * k], work.before[2 * k + 1]);
         }
     }
+    note_partners(work.contacts, balls);
     return true;
 }
 

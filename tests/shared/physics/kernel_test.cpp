@@ -36,6 +36,7 @@ std::vector<Scene> cloth_scenes(testing::Random& random) {
             scene.table.circles = {{"NE", {1.27, 0.635}, 0.1}, {"S", {0, -0.635}, 0.1}};
         }
         if ((kind & 16) != 0) scene.table.pockets = PocketModel::kPool;
+        if ((kind & 24) == 24) scene.table.pockets = PocketModel::kEndGame;
         if (kind == 0) scene.effects.airborne = AirborneSpec{};
         scene.strike->offset = 0.5 * random.direction();
         scenes.push_back(scene);

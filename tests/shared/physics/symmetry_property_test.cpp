@@ -1,3 +1,4 @@
+#include "tests/shared/pressed_scenes.hpp"
 #include "tests/shared/random.hpp"
 #include "tests/shared/scenes.hpp"
 #include "tests/shared/solvers.hpp"
@@ -131,6 +132,16 @@ TEST_P(EverySymmetry, ShotsOnClothGiveTheSameToTheBit) {
         for (SceneBall& ball : scene.balls)
             ball.state.w = {0, 0, random.uniform(-20, 20)};
         if (i % 3 == 1) scene.table.pockets = PocketModel::kPool;
+        if (check(scene)) continue;  // a ball in a mouth
+        SCOPED_TRACE(i);
+        expect_same_shot(scene);
+    }
+}
+
+TEST_P(EverySymmetry, PressedClustersGiveTheSameToTheBit) {
+    testing::Random random(24);
+    for (int i = 0; i < 100; ++i) {
+        const Scene scene = testing::pressed_scene(random);
         if (check(scene)) continue;  // a ball in a mouth
         SCOPED_TRACE(i);
         expect_same_shot(scene);
