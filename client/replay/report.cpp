@@ -17,7 +17,7 @@ using protocol::shown;
 constexpr int kIdWidth = 24;
 constexpr int kNameWidth = 16;
 constexpr int kSolverWidth = 14;
-constexpr int kKernelWidth = 23;
+constexpr int kKernelWidth = 26;
 
 /// An id is shown whole where it is one, so that it can be copied.
 std::string shown_id(const std::string& id) {

@@ -101,7 +101,7 @@ TEST(Match, EveryGameIsPlayedWithTheMatchsSettings) {
     EXPECT_EQ(match.table().scene.solver, settings.solver);
     const protocol::ShotEnded ended = play(match, kSafe);
     EXPECT_EQ(ended.solver, SolverKind::kEvent);
-    EXPECT_EQ(ended.kernel, "everything");
+    EXPECT_EQ(ended.kernel, "slide_roll_spin_end_game");
     EXPECT_EQ(match.table().scene.effects, settings.effects);
     match.start_next_game();
     EXPECT_EQ(match.game(), new_game(kEndGameRules, Seat{1}, settings));

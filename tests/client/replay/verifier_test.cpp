@@ -82,13 +82,21 @@ TEST(Verifier, NamesAWrongSceneHashKernelDurationAndCount) {
     EXPECT_EQ(
         first(divergences_after([](ShotRecord& shot) { shot.scene_hash ^= 1U; })).substr(0, 11),
         "scene hash ");
-    EXPECT_EQ(
-        first(divergences_after([](ShotRecord& shot) { shot.kernel = "other"; })).substr(0, 7),
-        "kernel ");
+    for (const char* kernel : {"other", "rails"}) {
+        EXPECT_EQ(
+            first(divergences_after([&](ShotRecord& shot) { shot.kernel = kernel; })).substr(0, 7),
+            "kernel ");
+    }
     EXPECT_EQ(first(divergences_after([](ShotRecord& shot) { shot.duration += 1; })).substr(0, 9),
               "duration ");
     EXPECT_EQ(first(divergences_after([](ShotRecord& shot) { ++shot.event_count; })).substr(0, 7),
               "events ");
+}
+
+/// Logs of before there was a kernel for their scenes name another one.
+TEST(Verifier, TakesEveryKernelThatCoversTheScene) {
+    EXPECT_EQ(first(divergences_after([](ShotRecord& shot) { shot.kernel = "everything"; })),
+              "nothing");
 }
 
 TEST(Verifier, NamesAWrongRuling) {
