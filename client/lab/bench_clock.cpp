@@ -1,17 +1,10 @@
 #include "client/lab/bench_clock.hpp"
 
-#include <ctime>
 #include <linux/perf_event.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 namespace poolhall::lab {
-
-double cpu_time_ns() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
 
 InstructionCounter::InstructionCounter() {
     perf_event_attr wanted{};

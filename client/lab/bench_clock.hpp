@@ -1,5 +1,7 @@
 #pragma once
 
+#include "client/compare/cpu_time.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -7,8 +9,7 @@
 
 namespace poolhall::lab {
 
-/// CPU time of this thread, ns.
-[[nodiscard]] double cpu_time_ns();
+using compare::cpu_time_ns;
 
 /// Counts the instructions of this thread where processor and kernel let it (perf_event_open);
 /// many virtual machines do not.

@@ -1,0 +1,85 @@
+#include "client/compare/contenders.hpp"
+
+#include "client/lab/scene_makers.hpp"
+#include "shared/physics/simulate.hpp"
+
+#include <array>
+#include <gtest/gtest.h>
+
+namespace poolhall::compare {
+namespace {
+
+constexpr SolverSpec kEvent{SolverKind::kEvent};
+constexpr SolverSpec kEuler30{SolverKind::kEuler, 30};
+constexpr SolverSpec kEuler480{SolverKind::kEuler, 480};
+
+/// A cue ball that cuts an object ball on real cloth.
+Scene cut() {
+    Scene scene = lab::scene_of({{-0.5, 0}, {0.5, 0.02}});
+    scene.effects = lab::cloth_effects();
+    scene.strike = Strike{BallIndex{0}, {1, 0}, 3};
+    return scene;
+}
+
+TEST(Contest, GivesEachSolversOwnShot) {
+    const std::array solvers{kEuler30, kEvent};
+    const Contest contest = compare::contest(cut(), solvers);
+    ASSERT_EQ(contest.contenders.size(), 2U);
+    for (const Contender& contender : contest.contenders) {
+        Scene scene = cut();
+        scene.solver = contender.solver;
+        EXPECT_EQ(contender.trace.hash, simulate(scene).hash);
+        EXPECT_GT(contender.trace.sample_count(), 100U);
+        EXPECT_GT(contender.cpu_ns, 0);
+    }
+}
+
+TEST(Contest, MeasuresFromTheEventSolverWhereverItStands) {
+    const std::array solvers{kEuler30, kEuler480, kEvent};
+    const Contest contest = compare::contest(cut(), solvers);
+    EXPECT_EQ(contest.reference, 2U);
+    EXPECT_EQ(contest.contenders[2].rest_distance, (std::vector<double>{0, 0}));
+    const auto coarse = farthest_ball(contest.contenders[0]);
+    const auto fine = farthest_ball(contest.contenders[1]);
+    ASSERT_TRUE(coarse && fine);
+    EXPECT_GT(coarse->distance, fine->distance);
+    EXPECT_GT(fine->distance, 0);
+}
+
+TEST(Contest, TheHighestRateIsTheReferenceWhereTheEventSolverRefuses) {
+    Scene scene = cut();
+    scene.effects.linear_drag = LinearDragSpec{};  // no closed form together with the cloth
+    const std::array solvers{kEvent, kEuler30, kEuler480};
+    const Contest contest = compare::contest(scene, solvers);
+    EXPECT_EQ(contest.reference, 2U);
+    ASSERT_TRUE(contest.contenders[0].refusal);
+    EXPECT_EQ(contest.contenders[0].refusal->pointer, "/solver/kind");
+    EXPECT_FALSE(farthest_ball(contest.contenders[0]));
+    EXPECT_TRUE(farthest_ball(contest.contenders[1]));
+}
+
+TEST(Contest, NoReferenceWhereAllRefuse) {
+    Scene scene = cut();
+    scene.effects.linear_drag = LinearDragSpec{};
+    const Contest contest = compare::contest(scene, std::array{kEvent});
+    EXPECT_FALSE(contest.reference);
+}
+
+TEST(Contest, SamplesOfAnEndlessShotStayWithinMemory) {
+    Scene scene = lab::scene_of({0, 0}, {1, 0.7});
+    scene.limits.time = 1e5;
+    const Contest contest = compare::contest(scene, std::array{kEvent}, {.repeats = 1});
+    const ShotTrace& trace = contest.contenders[0].trace;
+    EXPECT_EQ(trace.outcome, Outcome::kTimeLimit);
+    EXPECT_LE(static_cast<double>(trace.sample_count()), kMaxPlaces + 2);
+    EXPECT_GT(static_cast<double>(trace.sample_count()), kMaxPlaces / 2);
+}
+
+TEST(Label, IsWhatTheLabsOptionsTake) {
+    EXPECT_EQ(label(kEvent), "event");
+    EXPECT_EQ(label(kEuler30), "euler:30");
+    EXPECT_EQ(label({SolverKind::kExactArc, 7680}), "exact_arc:7680");
+}
+
+}  // namespace
+}  // namespace poolhall::compare
