@@ -1,7 +1,6 @@
 #include "shared/math/complementarity.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poolhall {
 
@@ -11,7 +10,7 @@ namespace {
 constexpr int kMaxPivots = 1000;
 /// Pivots smaller than this (of entries of size 1 to 2) mean that a row is redundant; rates within
 /// this share of the largest q are rounding.
-constexpr double kSingular = 1e-12;
+constexpr Real kSingular = 1e-12 * kFineness;
 
 }  // namespace
 
@@ -33,9 +32,9 @@ void ComplementarityProblem::reset(std::size_t size) {
 }
 
 void ComplementarityProblem::solve() {
-    double largest = 0;
+    Real largest = 0;
     for (const DoubleDouble& q : q_)
-        largest = std::max(largest, std::abs(q.hi));
+        largest = std::max(largest, abs(q.hi));
     for (int pivot = 0; pivot < kMaxPivots; ++pivot) {
         solve_basis();
         std::size_t wrong = 0;
@@ -78,7 +77,7 @@ void ComplementarityProblem::solve_basis() {
 }
 
 /// Whether row i breaks its condition: a negative x, or a rate that is still negative.
-bool ComplementarityProblem::violates(std::size_t row, double tolerance) const {
+bool ComplementarityProblem::violates(std::size_t row, Real tolerance) const {
     if (in_basis_[row] != 0) return x_[row].hi < 0;
     DoubleDouble rate = q_[row];
     for (std::size_t j = 0; j < size_; ++j)

@@ -35,7 +35,7 @@ class ComplementarityProblem {
 
   private:
     void solve_basis();
-    [[nodiscard]] bool violates(std::size_t row, double tolerance) const;
+    [[nodiscard]] bool violates(std::size_t row, Real tolerance) const;
 
     std::size_t size_ = 0;
     std::vector<DoubleDouble> g_;

@@ -2,41 +2,40 @@
 
 #include "shared/math/vec3.hpp"
 
-#include <cmath>
-
 namespace poolhall {
 
-/// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: about 106 bits, from + - * and sqrt of
-/// doubles only. Dekker, "A floating-point technique for extending the available precision", 1971;
-/// Knuth's two-sum. Exact as long as nothing over- or underflows: callers scale first.
+/// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: twice the bits of Real, 106 of doubles,
+/// from + - * and sqrt only. Dekker, "A floating-point technique for extending the available
+/// precision", 1971; Knuth's two-sum. Exact as long as nothing over- or underflows: callers scale
+/// first.
 struct DoubleDouble {
-    double hi = 0;
-    double lo = 0;
+    Real hi = 0;
+    Real lo = 0;
 };
 
 /// a + b exactly.
-constexpr DoubleDouble two_sum(double a, double b) {
-    const double sum = a + b;
-    const double b_part = sum - a;
+constexpr DoubleDouble two_sum(Real a, Real b) {
+    const Real sum = a + b;
+    const Real b_part = sum - a;
     return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
 /// a + b exactly, for |a| >= |b|.
-constexpr DoubleDouble quick_two_sum(double a, double b) {
-    const double sum = a + b;
+constexpr DoubleDouble quick_two_sum(Real a, Real b) {
+    const Real sum = a + b;
     return {sum, b - (sum - a)};
 }
 
 /// a * b exactly. Dekker's split, not fma: fma is a library call on plain x86-64.
-constexpr DoubleDouble two_product(double a, double b) {
-    constexpr double kSplit = 134217729;  // 2^27 + 1
-    const double a_big = kSplit * a;
-    const double a_hi = a_big - (a_big - a);
-    const double a_lo = a - a_hi;
-    const double b_big = kSplit * b;
-    const double b_hi = b_big - (b_big - b);
-    const double b_lo = b - b_hi;
-    const double product = a * b;
+constexpr DoubleDouble two_product(Real a, Real b) {
+    constexpr Real kSplit = power_of_two((kRealDigits + 1) / 2) + 1;
+    const Real a_big = kSplit * a;
+    const Real a_hi = a_big - (a_big - a);
+    const Real a_lo = a - a_hi;
+    const Real b_big = kSplit * b;
+    const Real b_hi = b_big - (b_big - b);
+    const Real b_lo = b - b_hi;
+    const Real product = a * b;
     return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
 }
 
@@ -60,24 +59,24 @@ constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
     return quick_two_sum(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-/// Long division, three digits of 53 bits.
+/// Long division, three digits of the size of Real.
 constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
-    const double first = a.hi / b.hi;
+    const Real first = a.hi / b.hi;
     const DoubleDouble rest = a - b * DoubleDouble{first};
-    const double second = rest.hi / b.hi;
-    const double third = (rest - b * DoubleDouble{second}).hi / b.hi;
+    const Real second = rest.hi / b.hi;
+    const Real third = (rest - b * DoubleDouble{second}).hi / b.hi;
     return quick_two_sum(first, second) + DoubleDouble{third};
 }
 
 /// Square root of a number that is not negative: one Newton step on the double's root.
 inline DoubleDouble sqrt(DoubleDouble a) {
     if (a.hi <= 0) return {};
-    const double root = std::sqrt(a.hi);
+    const Real root = sqrt(a.hi);
     const DoubleDouble rest = a - two_product(root, root);
     return quick_two_sum(root, rest.hi / (2 * root));
 }
 
-constexpr double value(DoubleDouble a) {
+constexpr Real value(DoubleDouble a) {
     return a.hi + a.lo;
 }
 

@@ -18,9 +18,10 @@ class StateHash {
         value_ ^= value_ >> 32U;
     }
 
-    /// The bits of the double, with -0 taken as 0: the two compare equal, so they must hash equal.
-    constexpr void add(double number) {
-        add(std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number));
+    /// The bits as a double, with -0 taken as 0: the two compare equal, so they must hash equal.
+    constexpr void add(Real number) {
+        const auto rounded = static_cast<double>(number);
+        add(std::bit_cast<std::uint64_t>(rounded == 0 ? 0.0 : rounded));
     }
 
     constexpr void add(const Vec3& vector) {

@@ -3,16 +3,15 @@
 #include "shared/math/vec2.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poolhall {
 
 /// A vector in space: metres, metres a second, or radians a second (right-handed) for angular
 /// velocity.
 struct Vec3 {
-    double x = 0;
-    double y = 0;
-    double z = 0;
+    Real x = 0;
+    Real y = 0;
+    Real z = 0;
 
     friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
@@ -29,11 +28,11 @@ constexpr Vec3 operator-(Vec3 a) {
     return {-a.x, -a.y, -a.z};
 }
 
-constexpr Vec3 operator*(double s, Vec3 a) {
+constexpr Vec3 operator*(Real s, Vec3 a) {
     return {s * a.x, s * a.y, s * a.z};
 }
 
-constexpr double dot(Vec3 a, Vec3 b) {
+constexpr Real dot(Vec3 a, Vec3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
@@ -42,16 +41,16 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-inline double norm(Vec3 a) {
-    return std::sqrt(dot(a, a));
+inline Real norm(Vec3 a) {
+    return sqrt(dot(a, a));
 }
 
 /// a / |a|. Scales first, as in the plane; a zero vector stays zero.
 inline Vec3 normalized(Vec3 a) {
-    const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+    const Real largest = std::max({abs(a.x), abs(a.y), abs(a.z)});
     if (largest == 0) return {};
     const Vec3 scaled{a.x / largest, a.y / largest, a.z / largest};
-    const double length = norm(scaled);
+    const Real length = norm(scaled);
     return {scaled.x / length, scaled.y / length, scaled.z / length};
 }
 

@@ -61,13 +61,13 @@ class Boxes {
     static constexpr int kBits = 16;  ///< of a field
     static constexpr std::uint64_t kSpare = 0x8000'8000'8000'8000;
     static constexpr std::uint64_t kNowhere = 0x7FFF'7FFF'7FFF'7FFF;  ///< above the highest side
-    static constexpr double kSteps = 0x7FFE;
+    static constexpr Real kSteps = 0x7FFE;
     static constexpr std::size_t kStrips = 32;  ///< columns; rows
     static constexpr std::size_t kWordBits = 64;
 
     /// 1 to 0x7FFE.
-    static std::uint64_t step(double side, double origin, double per_metre) {
-        const double steps = std::min(std::max(1.0, (side - origin) * per_metre), kSteps);
+    static std::uint64_t step(Real side, Real origin, Real per_metre) {
+        const Real steps = std::min(std::max(Real{1}, (side - origin) * per_metre), kSteps);
         return static_cast<std::uint64_t>(static_cast<std::int64_t>(steps));
     }
 
@@ -148,8 +148,8 @@ class Boxes {
     }
 
     Box room_;
-    double per_metre_x_ = 0;
-    double per_metre_y_ = 0;
+    Real per_metre_x_ = 0;
+    Real per_metre_y_ = 0;
     std::vector<std::uint64_t> packed_;
     std::size_t words_ = 0;              ///< of bits a strip; 0 where balls are few
     std::vector<std::uint64_t> strips_;  ///< the columns, then the rows

@@ -18,7 +18,7 @@ namespace poolhall {
 template <class Set>
 class Cloth {
   public:
-    Cloth(const Set& effects, double gravity) : effects_(effects), gravity_(gravity) {}
+    Cloth(const Set& effects, Real gravity) : effects_(effects), gravity_(gravity) {}
 
     /// Decides how the ball moves on from its r, v and w: after a strike, an impact, a bounce.
     void settle(MovingBall& ball) const {
@@ -37,7 +37,7 @@ class Cloth {
 
     /// An explicit Euler step of dt (s); `happened(kind, before)` hears of what ended with it.
     template <class Happened>
-    void kick(MovingBall& ball, double dt, const Happened& happened) const {
+    void kick(MovingBall& ball, Real dt, const Happened& happened) const {
         // Rebuilt where something happens: a copy a step would cost more than the step.
         const Vec2 v = ball.v;
         const Motion motion = ball.motion;
@@ -61,13 +61,13 @@ class Cloth {
     }
 
     /// The closed-form motion of a settled ball from time t on.
-    [[nodiscard]] Arc arc_of(const MovingBall& ball, double t) const {
+    [[nodiscard]] Arc arc_of(const MovingBall& ball, Real t) const {
         Arc arc;
         find_arc(ball, t, arc);
         return arc;
     }
 
-    void find_arc(const MovingBall& ball, double t, Arc& arc) const {
+    void find_arc(const MovingBall& ball, Real t, Arc& arc) const {
         arc = Arc{};
         arc.since = t;
         if constexpr (Set::template kHas<SpinDecay>) {
@@ -83,7 +83,7 @@ class Cloth {
                 if constexpr (Set::template kHas<LinearDrag>) drag(ball, arc);
                 break;
             case Motion::kSpinning:
-                arc.until = t + std::abs(ball.w.z) / arc.side_decay;
+                arc.until = t + abs(ball.w.z) / arc.side_decay;
                 break;
             case Motion::kAirborne:
                 if constexpr (Set::template kHas<Airborne>) fly(ball, arc);
@@ -144,7 +144,7 @@ class Cloth {
 
   private:
     /// Slips and velocities below this share of what they were made of are rounding.
-    static constexpr double kRounding = 0x1p-50;
+    static constexpr Real kRounding = 4 * kEpsilon;
 
     /// The ball as it was before its velocity, and a spin that follows from it, changed.
     [[nodiscard]] MovingBall with_velocity(MovingBall ball, Vec2 v) const {
@@ -162,8 +162,8 @@ class Cloth {
     /// Whether a speed is more than rounding of what the ball's motion is made of.
     [[nodiscard]] static bool exceeds_rounding(Vec2 speed, const MovingBall& ball) {
         // (|v| + R |w|)^2 <= 2 (v^2 + R^2 w^2): mostly it takes no root.
-        const double reach = ball.radius * ball.radius;
-        const double squares = dot(ball.v, ball.v) + reach * dot(xy(ball.w), xy(ball.w));
+        const Real reach = ball.radius * ball.radius;
+        const Real squares = dot(ball.v, ball.v) + reach * dot(xy(ball.w), xy(ball.w));
         if (dot(speed, speed) > 4 * kRounding * kRounding * squares) return true;
         return length(speed) > kRounding * (length(ball.v) + ball.radius * length(xy(ball.w)));
     }
@@ -213,7 +213,7 @@ class Cloth {
     }
 
     template <class Happened>
-    void kick_in_air(MovingBall& ball, double dt, const Happened& happened) const {
+    void kick_in_air(MovingBall& ball, Real dt, const Happened& happened) const {
         const MovingBall before = ball;
         if (!effects_.template effect<Airborne>().kick(ball, dt)) return;
         settle(ball);
@@ -221,9 +221,9 @@ class Cloth {
     }
 
     template <class Happened>
-    void kick_side_spin(MovingBall& ball, double dt, const Happened& happened) const {
+    void kick_side_spin(MovingBall& ball, Real dt, const Happened& happened) const {
         if (ball.motion == Motion::kAirborne || ball.w.z == 0) return;
-        const double spin = ball.w.z;
+        const Real spin = ball.w.z;
         ball.w.z = effects_.template effect<SpinDecay>().after(spin, ball.radius, dt);
         if (ball.motion == Motion::kSpinning && ball.w.z == 0) [[unlikely]] {
             MovingBall before = ball;
@@ -234,7 +234,7 @@ class Cloth {
     }
 
     template <class Happened>
-    void kick_drag(MovingBall& ball, double dt, const Happened& happened) const {
+    void kick_drag(MovingBall& ball, Real dt, const Happened& happened) const {
         if (ball.v == Vec2{}) return;
         const Vec2 v = ball.v;
         ball.v = effects_.template effect<LinearDrag>().euler_step(v, dt);
@@ -246,7 +246,7 @@ class Cloth {
     void slide(const MovingBall& ball, Arc& arc) const {
         const Sliding& sliding = effects_.template effect<Sliding>();
         const Vec2 slip = Sliding::slip(ball);
-        const double speed = length(slip);
+        const Real speed = length(slip);
         const Vec2 along{slip.x / speed, slip.y / speed};
         arc.a = -sliding.deceleration() * along;
         arc.dw = sliding.spin_rate(along, ball.radius);
@@ -254,9 +254,9 @@ class Cloth {
     }
 
     void decelerate(const MovingBall& ball, Arc& arc) const {
-        const double deceleration = effects_.template effect<Rolling>().deceleration();
+        const Real deceleration = effects_.template effect<Rolling>().deceleration();
         if (deceleration == 0) return;
-        const double speed = length(ball.v);
+        const Real speed = length(ball.v);
         arc.a = -deceleration * Vec2{ball.v.x / speed, ball.v.y / speed};
         if (couples_spin()) arc.dw = Sliding::rolling_spin(arc.a, ball.radius);
         arc.until = arc.since + speed / deceleration;
@@ -275,7 +275,7 @@ class Cloth {
     }
 
     const Set& effects_;
-    double gravity_;
+    Real gravity_;
 };
 
 }  // namespace poolhall

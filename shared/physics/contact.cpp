@@ -7,7 +7,6 @@
 #include "shared/physics/effects/sliding.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poolhall {
 
@@ -16,14 +15,14 @@ namespace {
 /// A group settles in a few rounds; elastic ones at most in as many as there are orders of impacts.
 constexpr int kMaxRounds = 1000;
 /// Speeds within this share of the balls' are rounding.
-constexpr double kStill = 1e-12;
+constexpr Real kStill = 1e-12 * kFineness;
 /// Share of the group's speed that double-double arithmetic leaves of zero, generously.
-constexpr double kRounding = 0x1p-90;
+constexpr Real kRounding = 0x1p14 * kEpsilon * kEpsilon;
 /// Contacts that a group can have without a larger memory: a rack of fifteen has thirty.
 constexpr std::size_t kGroupCapacity = 40;
 
 /// Whether the contact moves ball `ball` along its normal (+1), against it (-1) or not at all.
-double direction_on(const Contact& contact, std::size_t ball) {
+Real direction_on(const Contact& contact, std::size_t ball) {
     if (contact.a == ball) return -1;
     return contact.kind == Contact::Kind::kBalls && contact.b == ball ? 1 : 0;
 }
@@ -38,8 +37,8 @@ void set_velocity(MovingBall& ball, const Vec3& v) {
 }
 
 /// Rate at which the gap of the contact opens, m/s.
-double opening(const Contact& contact, const Vec3& n, std::span<const MovingBall> balls) {
-    const double a = dot(velocity(balls[contact.a]), n);
+Real opening(const Contact& contact, const Vec3& n, std::span<const MovingBall> balls) {
+    const Real a = dot(velocity(balls[contact.a]), n);
     return contact.kind == Contact::Kind::kRail ? -a : dot(velocity(balls[contact.b]), n) - a;
 }
 
@@ -62,10 +61,10 @@ bool presses(const Scene& scene) {
     return Sliding::called_for(scene) || Rolling::called_for(scene);
 }
 
-/// The double nearest to v + change; nothing where all but rounding of the double-doubles cancels.
-double changed(double v, DoubleDouble change, double rounding) {
-    const double sum = value(DoubleDouble{v} + change);
-    return std::abs(sum) <= rounding ? 0 : sum;
+/// The number nearest to v + change; nothing where all but rounding of the double-doubles cancels.
+Real changed(Real v, DoubleDouble change, Real rounding) {
+    const Real sum = value(DoubleDouble{v} + change);
+    return abs(sum) <= rounding ? 0 : sum;
 }
 
 /// Who takes the vertical part of friction between two balls.
@@ -132,7 +131,7 @@ Vec3 ContactSolver::normal_of(const Contact& contact, std::span<const MovingBall
     if (contact.kind == Contact::Kind::kRail) return {contact.normal.x, contact.normal.y, 0};
     const MovingBall& a = balls[contact.a];
     const MovingBall& b = balls[contact.b];
-    const double rise = in_space_ ? (b.radius + b.height) - (a.radius + a.height) : 0;
+    const Real rise = in_space_ ? (b.radius + b.height) - (a.radius + a.height) : 0;
     const Vec2 c = b.r - a.r;
     if (rise != 0) return normalized(Vec3{c.x, c.y, rise});
     const Vec2 n = normalized(c);
@@ -144,7 +143,7 @@ bool ContactSolver::is_group_member(const Contact& contact) const {
            rail_.model == RailModel::kRestitution;
 }
 
-double ContactSolver::restitution(const Contact& contact) const {
+Real ContactSolver::restitution(const Contact& contact) const {
     return contact.kind == Contact::Kind::kRail ? e_rail_ : e_ball_;
 }
 
@@ -169,8 +168,8 @@ bool ContactSolver::resolve(std::span<const Contact> contacts, std::span<MovingB
 void ContactSolver::bounce(const Contact& contact, MovingBall& ball) {
     reflect(contact, ball);
     if (min_separation_ == 0) return;
-    const double leaves = -dot(ball.v, contact.normal);
-    const double least = slow_bounces_[contact.a].least_speed(leaves, min_separation_);
+    const Real leaves = -dot(ball.v, contact.normal);
+    const Real least = slow_bounces_[contact.a].least_speed(leaves, min_separation_);
     if (leaves < least) ball.v = ball.v - (least - leaves) * contact.normal;
 }
 
@@ -207,16 +206,16 @@ void ContactSolver::collide(const Contact& contact, std::span<MovingBall> balls)
     MovingBall& a = balls[contact.a];
     MovingBall& b = balls[contact.b];
     const Vec3 n = normal_of(contact, balls);
-    const double approach = dot(velocity(a) - velocity(b), n);
+    const Real approach = dot(velocity(a) - velocity(b), n);
     // A rail at the same instant, or rounding, may have turned the approach round.
-    const double change =
+    const Real change =
         approach + std::max(e_ball_ * approach, least_opening(contact, e_ball_ * approach));
     if (change <= 0) return;
-    const double total = a.mass + b.mass;
+    const Real total = a.mass + b.mass;
     ImpactBall after_a{velocity(a), a.w, a.radius, a.mass};
     ImpactBall after_b{velocity(b), b.w, b.radius, b.mass};
     if (has_friction_) {
-        const double impulse = change * (a.mass * b.mass / total);
+        const Real impulse = change * (a.mass * b.mass / total);
         apply_tangential(friction_impulse(friction_, impulse, n, after_a, after_b), n,
                          vertical_part(a, b), after_a, after_b);
     }
@@ -226,7 +225,7 @@ void ContactSolver::collide(const Contact& contact, std::span<MovingBall> balls)
     b.w = after_b.w;
 }
 
-double ContactSolver::least_opening(const Contact& contact, double opening_speed) {
+Real ContactSolver::least_opening(const Contact& contact, Real opening_speed) {
     if (min_separation_ == 0) return 0;
     return slow_impacts_[contact.a * changes_.size() + contact.b].least_speed(opening_speed,
                                                                               min_separation_);
@@ -237,7 +236,7 @@ bool ContactSolver::resolve_group(std::span<MovingBall> balls) {
     for (int round = 0; round < kMaxRounds; ++round) {
         approaching_.clear();
         for (const Contact& contact : group_) {
-            double speed = norm(balls[contact.a].v);
+            Real speed = norm(balls[contact.a].v);
             if (contact.kind == Contact::Kind::kBalls) speed += norm(balls[contact.b].v);
             if (round == 0 || opening(contact, normal_of(contact, balls), balls) < -kStill * speed)
                 approaching_.push_back(contact);
@@ -252,11 +251,11 @@ bool ContactSolver::resolve_group(std::span<MovingBall> balls) {
 }
 
 /// How fast contact i opens for a unit of impulse at contact j, both impulses per unit mass.
-double ContactSolver::coupling(std::size_t i, std::size_t j,
-                               std::span<const MovingBall> balls) const {
+Real ContactSolver::coupling(std::size_t i, std::size_t j,
+                             std::span<const MovingBall> balls) const {
     const Contact& c = approaching_[i];
     const Contact& d = approaching_[j];
-    double shared = -direction_on(d, c.a) * (unit_mass_ / balls[c.a].mass);
+    Real shared = -direction_on(d, c.a) * (unit_mass_ / balls[c.a].mass);
     if (c.kind == Contact::Kind::kBalls)
         shared += direction_on(d, c.b) * (unit_mass_ / balls[c.b].mass);
     return shared * dot(normals_[i], normals_[j]);
@@ -281,9 +280,9 @@ void ContactSolver::pose(std::span<const MovingBall> balls) {
 /// in the velocities.
 void ContactSolver::reflect_together(std::span<MovingBall> balls) {
     pose(balls);
-    double fastest = 0;
+    Real fastest = 0;
     for (std::size_t i = 0; i < problem_.size(); ++i)
-        fastest = std::max(fastest, std::abs(problem_.q(i).hi));
+        fastest = std::max(fastest, abs(problem_.q(i).hi));
     problem_.solve();
     for (std::size_t i = 0; i < problem_.size(); ++i)
         add_impulse(i, reflected_impulse(i), balls);
@@ -303,7 +302,7 @@ void ContactSolver::part_pressed(std::span<MovingBall> balls) {
     bool any = false;
     for (const Contact& contact : group_) {
         if (contact.kind != Contact::Kind::kBalls) continue;
-        const double speed = opening(contact, normal_of(contact, balls), balls);
+        const Real speed = opening(contact, normal_of(contact, balls), balls);
         approaching_.push_back(contact);
         least_openings_.push_back(least_opening(contact, speed));
         any = any || speed < least_openings_.back();
@@ -339,7 +338,7 @@ void ContactSolver::rub_together(std::span<const MovingBall> balls) {
 /// The impulse of friction on ball b of the contact (kg m/s), with the share of it that counts.
 Vec3 ContactSolver::friction_at(std::size_t i, std::span<const MovingBall> balls) const {
     const Contact& contact = approaching_[i];
-    const double impulse = unit_mass_ * value(reflected_impulse(i));
+    const Real impulse = unit_mass_ * value(reflected_impulse(i));
     if (contact.kind != Contact::Kind::kBalls || impulse <= 0) return {};
     const auto ball_of = [&](std::size_t ball) {
         const MovingBall& before = balls[ball];
@@ -348,7 +347,7 @@ Vec3 ContactSolver::friction_at(std::size_t i, std::span<const MovingBall> balls
     };
     // Each friction ends its own slip at most; a ball that has several would overshoot. So shared,
     // they cannot add energy: it is convex in the velocities.
-    return 1 / static_cast<double>(most_impacts_of(contact)) *
+    return 1 / static_cast<Real>(most_impacts_of(contact)) *
            friction_impulse(friction_, impulse, normals_[i], ball_of(contact.a),
                             ball_of(contact.b));
 }
@@ -379,7 +378,7 @@ int ContactSolver::most_impacts_of(const Contact& contact) const {
     return std::max(of_a, of_b);
 }
 
-void ContactSolver::apply_changes(double rounding, std::span<MovingBall> balls) {
+void ContactSolver::apply_changes(Real rounding, std::span<MovingBall> balls) {
     for (const Contact& contact : approaching_) {
         for (const std::size_t i : {contact.a, contact.b}) {
             // A ball of several contacts is changed once; the second time nothing is left.

@@ -36,8 +36,8 @@ struct Contact {
 class SlowImpacts {
   public:
     /// The least speed of an impact that by itself would leave `speed`; both in m/s.
-    [[nodiscard]] double least_speed(double speed, double min_separation) {
-        const double least = count_ == 0 ? 0 : grown(min_separation, count_ - 1);
+    [[nodiscard]] Real least_speed(Real speed, Real min_separation) {
+        const Real least = count_ == 0 ? 0 : grown(min_separation, count_ - 1);
         if (speed > grown(min_separation, count_)) {
             count_ = 0;
         } else if (count_ < kMost) {
@@ -49,8 +49,8 @@ class SlowImpacts {
   private:
     static constexpr std::uint8_t kMost = 5;
 
-    static constexpr double grown(double speed, int times) {
-        return speed * static_cast<double>(1 << (2 * times));
+    static constexpr Real grown(Real speed, int times) {
+        return speed * static_cast<Real>(1 << (2 * times));
     }
 
     std::uint8_t count_ = 0;
@@ -80,17 +80,17 @@ class ContactSolver {
 
   private:
     [[nodiscard]] bool is_group_member(const Contact& contact) const;
-    [[nodiscard]] double restitution(const Contact& contact) const;
+    [[nodiscard]] Real restitution(const Contact& contact) const;
     void bounce(const Contact& contact, MovingBall& ball);
     void reflect(const Contact& contact, MovingBall& ball) const;
     void collide(const Contact& contact, std::span<MovingBall> balls);
     /// The least speed at which the balls of an impact part, m/s, if by themselves they would at
     /// `opening_speed`.
-    [[nodiscard]] double least_opening(const Contact& contact, double opening_speed);
+    [[nodiscard]] Real least_opening(const Contact& contact, Real opening_speed);
     [[nodiscard]] bool resolve_group(std::span<MovingBall> balls);
     void pose(std::span<const MovingBall> balls);
-    [[nodiscard]] double coupling(std::size_t i, std::size_t j,
-                                  std::span<const MovingBall> balls) const;
+    [[nodiscard]] Real coupling(std::size_t i, std::size_t j,
+                                std::span<const MovingBall> balls) const;
     void reflect_together(std::span<MovingBall> balls);
     [[nodiscard]] DoubleDouble reflected_impulse(std::size_t i) const;
     void part_pressed(std::span<MovingBall> balls);
@@ -100,7 +100,7 @@ class ContactSolver {
     void add_push(const Contact& contact, const Vec3& push, const Vec3& n,
                   std::span<const MovingBall> balls);
     [[nodiscard]] int most_impacts_of(const Contact& contact) const;
-    void apply_changes(double rounding, std::span<MovingBall> balls);
+    void apply_changes(Real rounding, std::span<MovingBall> balls);
 
     struct Change {
         Vec3DoubleDouble v;
@@ -108,12 +108,12 @@ class ContactSolver {
     };
 
     RailSpec rail_;
-    double e_ball_ = 1;
-    double e_rail_ = 1;
-    double mu_table_ = 0;
-    double unit_mass_ = 1;
-    double min_separation_ = 0;  ///< m/s; 0 where nothing presses balls together
-    bool in_space_ = false;      ///< balls may be at different heights
+    Real e_ball_ = 1;
+    Real e_rail_ = 1;
+    Real mu_table_ = 0;
+    Real unit_mass_ = 1;
+    Real min_separation_ = 0;  ///< m/s; 0 where nothing presses balls together
+    bool in_space_ = false;    ///< balls may be at different heights
     bool has_friction_ = false;
     BallFriction friction_{BallBallSpec{}};
     ComplementarityProblem problem_;
@@ -122,7 +122,7 @@ class ContactSolver {
     std::vector<Vec3> normals_;
     std::vector<Vec3> pushes_;               ///< of friction, kg m/s
     std::vector<Change> changes_;            ///< per ball
-    std::vector<double> least_openings_;     ///< m/s, per contact
+    std::vector<Real> least_openings_;       ///< m/s, per contact
     std::vector<SlowImpacts> slow_impacts_;  ///< per pair
     std::vector<SlowImpacts> slow_bounces_;  ///< per ball
 };

@@ -24,23 +24,23 @@ struct RelativeArc {
 /// zero is polished by a safeguarded Newton iteration. Where rounding could decide (a graze), the
 /// gap is taken in double-double. Straight relative motion (v parallel to a) is reduced to
 /// time_of_impact().
-[[nodiscard]] double first_contact(const RelativeArc<Vec2>& arc, double distance, double horizon);
-[[nodiscard]] double first_contact(const RelativeArc<Vec3>& arc, double distance, double horizon);
+[[nodiscard]] Real first_contact(const RelativeArc<Vec2>& arc, Real distance, Real horizon);
+[[nodiscard]] Real first_contact(const RelativeArc<Vec3>& arc, Real distance, Real horizon);
 
 /// True only if first_contact() of (c, v, a) is kNever, by bounds that cost no root and hardly a
 /// division: most pairs that never meet are found so. The horizon is finite.
-[[nodiscard]] bool stay_apart(Vec2 c, Vec2 v, Vec2 a, double distance, double horizon);
+[[nodiscard]] bool stay_apart(Vec2 c, Vec2 v, Vec2 a, Real distance, Real horizon);
 
 /// As first_contact(), for a centre that moves along v and loses `deceleration` (m/s^2) until it
 /// stops.
-[[nodiscard]] double first_contact_straight(Vec2 c, Vec2 v, double deceleration, double distance,
-                                            double horizon);
+[[nodiscard]] Real first_contact_straight(Vec2 c, Vec2 v, Real deceleration, Real distance,
+                                          Real horizon);
 
 /// As first_contact() without acceleration and without end, in space.
-[[nodiscard]] double straight_contact(const Vec3& c, const Vec3& v, double distance);
+[[nodiscard]] Real straight_contact(const Vec3& c, const Vec3& v, Real distance);
 
 /// The first t >= 0 (s) at which v t + a t^2 / 2 reaches `gap` (m) from below; kNever if it does
 /// not. 0 where the gap is closed and still closing.
-[[nodiscard]] double time_to_close(double gap, double v, double a);
+[[nodiscard]] Real time_to_close(Real gap, Real v, Real a);
 
 }  // namespace poolhall

@@ -12,14 +12,14 @@ struct Course {
     Vec2 r;  ///< at `since`, m
     Vec2 v;  ///< m/s; 0 where the centre rests
     Vec2 a;  ///< m/s^2
-    double since = 0;
-    double until = kNever;    ///< the ball's own event, s
-    double radius = 0;        ///< m
+    Real since = 0;
+    Real until = kNever;      ///< the ball's own event, s
+    Real radius = 0;          ///< m
     bool moves = false;       ///< its centre does
     bool is_parabola = true;  ///< on the cloth, without drag
 
     /// In place: a copy of what was just written would have to wait for it.
-    void set(const MovingBall& ball, const Arc& arc, double end) {
+    void set(const MovingBall& ball, const Arc& arc, Real end) {
         moves = moves_centre(ball.motion);
         r = ball.r;
         v = moves ? ball.v : Vec2{};
@@ -32,12 +32,12 @@ struct Course {
 };
 
 /// False for most balls that do not meet from `now` (s) until either's own event; `a` sets out now.
-[[nodiscard]] inline bool may_meet(const Course& a, const Course& b, double now) {
+[[nodiscard]] inline bool may_meet(const Course& a, const Course& b, Real now) {
     if (!a.moves && !b.moves) return false;
     if (!a.is_parabola || !b.is_parabola) return true;
     const Vec2 acceleration = b.a - a.a;
     if (acceleration == Vec2{}) return true;
-    const double dt = now - b.since;
+    const Real dt = now - b.since;
     const Vec2 c = b.r + dt * (b.v + (dt / 2) * b.a) - a.r;
     const Vec2 v = b.v + dt * b.a - a.v;
     return !stay_apart(c, v, acceleration, contact_distance(a.radius, b.radius),

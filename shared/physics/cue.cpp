@@ -20,24 +20,24 @@ CueFrame cue_frame(const Strike& strike) {
 }
 
 /// The cue's direction turned by the squirt. Without squirt not a bit of it changes.
-Vec3 departure(const CueFrame& cue, double tangent) {
+Vec3 departure(const CueFrame& cue, Real tangent) {
     if (tangent == 0) return cue.forward;
-    return 1 / std::sqrt(1 + tangent * tangent) * (cue.forward - tangent * cue.right);
+    return 1 / sqrt(1 + tangent * tangent) * (cue.forward - tangent * cue.right);
 }
 
 }  // namespace
 
-double squirt_tangent(double side, double end_mass_ratio) {
-    const double depth = (1 - side) * (1 + side);  // 1 - b^2 without cancellation
-    const double push = 2.5 * end_mass_ratio * side * std::sqrt(depth);
+Real squirt_tangent(Real side, Real end_mass_ratio) {
+    const Real depth = (1 - side) * (1 + side);  // 1 - b^2 without cancellation
+    const Real push = 2.5 * end_mass_ratio * side * sqrt(depth);
     return push / (1 + end_mass_ratio * (1 + 2.5 * depth));
 }
 
-CueBallMotion strike_motion(const Strike& strike, double radius) {
+CueBallMotion strike_motion(const Strike& strike, Real radius) {
     const CueFrame cue = cue_frame(strike);
     const auto [side, vertical] = strike.offset;
     const Vec3 offset = side * cue.right + vertical * cue.up;
-    const double tangent = squirt_tangent(side, strike.end_mass_ratio);
+    const Real tangent = squirt_tangent(side, strike.end_mass_ratio);
     return {.v = strike.speed * departure(cue, tangent),
             .w = 2.5 * strike.speed / radius * cross(offset, cue.forward)};
 }

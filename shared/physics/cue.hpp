@@ -16,11 +16,11 @@ struct CueBallMotion {
 /// The speed is the strike's. The spin is w = (5 / (2 R^2)) offset x v with v along the cue
 /// (Alciatore, TP A.12): right english turns the ball counterclockwise seen from above. The end of
 /// the cue deflects v from the cue's line, away from the english (squirt, TP A.31).
-[[nodiscard]] CueBallMotion strike_motion(const Strike& strike, double radius);
+[[nodiscard]] CueBallMotion strike_motion(const Strike& strike, Real radius);
 
 /// The tangent of the angle of squirt, with the sign of `side` (radii, shorter than 1):
 /// (5/2) b sqrt(1 - b^2) / (1 + 1/m + (5/2)(1 - b^2)), where m is the effective end mass of the cue
 /// over the ball's mass; m = 0 gives none; pooltool takes 1/30. Alciatore, TP A.31.
-[[nodiscard]] double squirt_tangent(double side, double end_mass_ratio);
+[[nodiscard]] Real squirt_tangent(Real side, Real end_mass_ratio);
 
 }  // namespace poolhall

@@ -37,7 +37,7 @@ class FreeBoxes {
     }
 
     /// A ball at rest at r (m). Those in whose boxes it is become loose.
-    void settle(std::size_t ball, Vec2 r, double radius) {
+    void settle(std::size_t ball, Vec2 r, Real radius) {
         if (is_point(home_[ball]) && holds(ball, r)) return;
         home_[ball] = {r.x, r.x, r.y, r.y};
         reach_.set(ball, widened(home_[ball], radius));
@@ -53,7 +53,7 @@ class FreeBoxes {
 
     /// Makes the ball loose and notes what it covers when it goes straight from one place to
     /// another.
-    void sweep(std::size_t ball, Vec2 from, Vec2 to, double radius) {
+    void sweep(std::size_t ball, Vec2 from, Vec2 to, Real radius) {
         home_[ball] = kNowhere;
         const auto [low_x, high_x] = std::minmax(from.x, to.x);
         const auto [low_y, high_y] = std::minmax(from.y, to.y);
@@ -62,7 +62,7 @@ class FreeBoxes {
 
     /// Gives the loose ball this box for its centre, if what it could cover there is clear of what
     /// others may.
-    bool claim(std::size_t ball, const Box& centres, double radius) {
+    bool claim(std::size_t ball, const Box& centres, Real radius) {
         reach_.set(ball, widened(centres, radius));
         bool alone = true;
         for_each_near(ball, [&](std::size_t) { alone = false; });
@@ -84,8 +84,8 @@ class FreeBoxes {
     }
 
     /// By more than the radius: more than rounding.
-    static Box widened(const Box& centres, double radius) {
-        const double reach = (1 + 0x1p-20) * radius;
+    static Box widened(const Box& centres, Real radius) {
+        const Real reach = (1 + 0x1p-20) * radius;
         return {centres.low_x - reach, centres.high_x + reach, centres.low_y - reach,
                 centres.high_y + reach};
     }

@@ -12,13 +12,13 @@ namespace poolhall {
 struct MovingBall {
     static constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
-    Vec2 r;             ///< m
-    Vec2 v;             ///< m/s
-    Vec3 w;             ///< rad/s
-    double height = 0;  ///< of the centre above its height at rest, m
-    double climb = 0;   ///< vertical velocity, m/s
-    double radius = 0;  ///< m
-    double mass = 0;    ///< kg
+    Vec2 r;           ///< m
+    Vec2 v;           ///< m/s
+    Vec3 w;           ///< rad/s
+    Real height = 0;  ///< of the centre above its height at rest, m
+    Real climb = 0;   ///< vertical velocity, m/s
+    Real radius = 0;  ///< m
+    Real mass = 0;    ///< kg
     Motion motion = Motion::kStationary;
     /// The ball met last, until anything else happens to either. Two bodies that move uniformly
     /// after their impact do not meet again, but rounding could say so near grazing.
@@ -42,13 +42,17 @@ struct MovingBall {
     return motion == Motion::kSliding || motion == Motion::kRolling || motion == Motion::kAirborne;
 }
 
+/// Two bodies that touch: what their distance and their approach are off by within this share is
+/// rounding.
+inline constexpr Real kTouchRounding = 16 * kEpsilon;
+
 /// How far apart the centres of two balls are, in the plane, when they touch on the cloth (m):
 /// 2 sqrt(R_a R_b), since centres of different radius are at different heights.
-[[nodiscard]] inline double contact_distance(double radius_a, double radius_b) {
-    return radius_a == radius_b ? 2 * radius_a : 2 * std::sqrt(radius_a * radius_b);
+[[nodiscard]] inline Real contact_distance(Real radius_a, Real radius_b) {
+    return radius_a == radius_b ? 2 * radius_a : 2 * sqrt(radius_a * radius_b);
 }
 
-[[nodiscard]] inline double contact_distance(const MovingBall& a, const MovingBall& b) {
+[[nodiscard]] inline Real contact_distance(const MovingBall& a, const MovingBall& b) {
     return contact_distance(a.radius, b.radius);
 }
 

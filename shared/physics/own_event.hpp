@@ -17,7 +17,7 @@ struct OwnEvent {
         Vec2 normal;  ///< unit, into the rubber
     };
 
-    double t = kNever;  ///< s, by the solver's clock
+    Real t = kNever;  ///< s, by the solver's clock
     Kind kind = Kind::kTransition;
     Pocket pocket = Pocket::kNorthWest;
     std::uint8_t touch_count = 0;

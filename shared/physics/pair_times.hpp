@@ -22,13 +22,13 @@ class PairTimes {
         partner_.assign(balls, 0);
     }
 
-    [[nodiscard]] double first(std::size_t ball) const { return first_[ball]; }
+    [[nodiscard]] Real first(std::size_t ball) const { return first_[ball]; }
 
     /// Who meets the ball first, where anybody does.
     [[nodiscard]] std::size_t partner(std::size_t ball) const { return partner_[ball]; }
 
     /// Two balls meet at t, which is not kNever.
-    void set(std::size_t a, std::size_t b, double t) {
+    void set(std::size_t a, std::size_t b, Real t) {
         set_one(a, b, t);
         set_one(b, a, t);
     }
@@ -36,7 +36,7 @@ class PairTimes {
     /// The ball meets nobody, until set anew. Calls changed(other) for those whose first it was.
     template <class Changed>
     void forget(std::size_t ball, Changed changed) {
-        for_each_partner(ball, [&](std::size_t other, double) {
+        for_each_partner(ball, [&](std::size_t other, Real) {
             meets_[other * words_ + ball / kBits] &= ~bit_of(ball);
             if (partner_[other] != ball) return;
             find_first(other);
@@ -48,10 +48,10 @@ class PairTimes {
     }
 
     /// Sets the clock of all times back, s.
-    void set_back(double passed) {
+    void set_back(Real passed) {
         for (std::size_t ball = 0; ball < size_; ++ball) {
             first_[ball] -= passed;
-            for_each_partner(ball, [&](std::size_t other, double t) {
+            for_each_partner(ball, [&](std::size_t other, Real t) {
                 times_[ball * size_ + other] = t - passed;
             });
         }
@@ -76,7 +76,7 @@ class PairTimes {
         return std::uint64_t{1} << (ball % kBits);
     }
 
-    void set_one(std::size_t ball, std::size_t other, double t) {
+    void set_one(std::size_t ball, std::size_t other, Real t) {
         times_[ball * size_ + other] = t;
         meets_[ball * words_ + other / kBits] |= bit_of(other);
         if (t >= first_[ball]) return;
@@ -86,7 +86,7 @@ class PairTimes {
 
     void find_first(std::size_t ball) {
         first_[ball] = kNever;
-        for_each_partner(ball, [&](std::size_t other, double t) {
+        for_each_partner(ball, [&](std::size_t other, Real t) {
             if (t >= first_[ball]) return;
             first_[ball] = t;
             partner_[ball] = other;
@@ -95,9 +95,9 @@ class PairTimes {
 
     std::size_t size_ = 0;
     std::size_t words_ = 0;             ///< of bits a row
-    std::vector<double> times_;         ///< square, symmetric; holds where meets_ has a bit
+    std::vector<Real> times_;           ///< square, symmetric; holds where meets_ has a bit
     std::vector<std::uint64_t> meets_;  ///< a row of bits a ball
-    std::vector<double> first_;
+    std::vector<Real> first_;
     std::vector<std::size_t> partner_;
 };
 

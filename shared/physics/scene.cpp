@@ -12,9 +12,9 @@ namespace {
 
 using namespace scene_checks;
 
-constexpr double kMaxTime = 1e6;   ///< s
-constexpr double kMaxTicks = 1e9;  ///< what a minute or so can simulate
-constexpr double kMaxSlope = 10;   ///< of a cue
+constexpr Real kMaxTime = 1e6;   ///< s
+constexpr Real kMaxTicks = 1e9;  ///< what a minute or so can simulate
+constexpr Real kMaxSlope = 10;   ///< of a cue
 constexpr std::uint32_t kMaxEvents = 10'000'000;
 
 MaybeError check_circles(const Table& table) {
@@ -58,7 +58,7 @@ MaybeError check_table(const Scene& scene) {
     if (auto error = positive(scene.ball.radius, kMaxLength, "/ball/radius")) return error;
     if (auto error = positive(scene.ball.mass, kMaxLength, "/ball/mass")) return error;
     if (auto error = in_range(scene.gravity, 0, kMaxLength, "/gravity")) return error;
-    const double least = 4 * scene.ball.radius;
+    const Real least = 4 * scene.ball.radius;
     if (scene.table.length < least || scene.table.width < least) {
         return SceneError{"/table",
                           "is too small for its balls: both sides need at least two diameters"};
@@ -125,12 +125,12 @@ MaybeError check_strike(const Scene& scene) {
 
 namespace scene_checks {
 
-MaybeError in_range(double x, double low, double high, const std::string& pointer) {
+MaybeError in_range(Real x, Real low, Real high, const std::string& pointer) {
     if (x >= low && x <= high) return std::nullopt;
     return SceneError{pointer, "must be a finite number within its bounds"};
 }
 
-MaybeError positive(double x, double high, const std::string& pointer) {
+MaybeError positive(Real x, Real high, const std::string& pointer) {
     if (x > 0 && x <= high) return std::nullopt;
     return SceneError{pointer, "must be positive and within its bounds"};
 }

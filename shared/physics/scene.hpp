@@ -14,26 +14,26 @@ namespace poolhall {
 /// The parameters of the effects that a scene calls for; what is absent is not simulated, and a
 /// coefficient of 0 means the same as absent.
 struct LinearDragSpec {
-    double k = 0.6;              ///< 1/s: v' = -k v
-    double stop_speed = 0.0625;  ///< m/s: slower than this is at rest
+    Real k = 0.6;              ///< 1/s: v' = -k v
+    Real stop_speed = 0.0625;  ///< m/s: slower than this is at rest
 
     friend constexpr bool operator==(const LinearDragSpec&, const LinearDragSpec&) = default;
 };
 
 struct SlidingSpec {
-    double mu = 0.2;  ///< friction of the cloth on a ball that slips
+    Real mu = 0.2;  ///< friction of the cloth on a ball that slips
 
     friend constexpr bool operator==(const SlidingSpec&, const SlidingSpec&) = default;
 };
 
 struct RollingSpec {
-    double mu = 0.01;  ///< rolling resistance: deceleration over gravity
+    Real mu = 0.01;  ///< rolling resistance: deceleration over gravity
 
     friend constexpr bool operator==(const RollingSpec&, const RollingSpec&) = default;
 };
 
 struct SpinDecaySpec {
-    double mu = 0.0127;  ///< spin about the vertical axis falls with 5 mu g / (2 R)
+    Real mu = 0.0127;  ///< spin about the vertical axis falls with 5 mu g / (2 R)
 
     friend constexpr bool operator==(const SpinDecaySpec&, const SpinDecaySpec&) = default;
 };
@@ -47,20 +47,20 @@ enum class BallBallModel : std::uint8_t {
 /// Friction between balls that falls with the speed of their slip: mu = a + b exp(-c u).
 /// Defaults: Alciatore, TP A.14 (billiards.colostate.edu), fitted to Marlow's measurements.
 struct FrictionBySpeed {
-    double a = 9.951e-3;
-    double b = 0.108;
-    double c = 1.088;  ///< s/m
+    Real a = 9.951e-3;
+    Real b = 0.108;
+    Real c = 1.088;  ///< s/m
 
     friend constexpr bool operator==(const FrictionBySpeed&, const FrictionBySpeed&) = default;
 };
 
 struct BallBallSpec {
     BallBallModel model = BallBallModel::kElastic;
-    double e = 0.95;   ///< coefficient of restitution, 0 to 1; not used by kElastic
-    double mu = 0.05;  ///< friction between balls; used by kFriction
+    Real e = 0.95;   ///< coefficient of restitution, 0 to 1; not used by kElastic
+    Real mu = 0.05;  ///< friction between balls; used by kFriction
     std::optional<FrictionBySpeed> friction_by_speed;  ///< instead of mu
     /// Balls that cloth friction can press together leave an impact at least this fast, m/s.
-    double min_separation = 1e-4;
+    Real min_separation = 1e-4;
 
     friend constexpr bool operator==(const BallBallSpec&, const BallBallSpec&) = default;
 };
@@ -75,15 +75,15 @@ enum class RailModel : std::uint8_t {
 
 struct RailSpec {
     RailModel model = RailModel::kElastic;
-    double e = 1;     ///< coefficient of restitution, 0 to 1; not used by kElastic
-    double mu = 0.2;  ///< friction between ball and rail; used by Han's and Mathavan's models
-    double nose_height = 0.036576;  ///< of the rail's nose above the cloth, m; for the same
+    Real e = 1;     ///< coefficient of restitution, 0 to 1; not used by kElastic
+    Real mu = 0.2;  ///< friction between ball and rail; used by Han's and Mathavan's models
+    Real nose_height = 0.036576;  ///< of the rail's nose above the cloth, m; for the same
 
     friend constexpr bool operator==(const RailSpec&, const RailSpec&) = default;
 };
 
 struct AirborneSpec {
-    double e_slate = 0.5;  ///< coefficient of restitution of ball and slate, 0 to 1
+    Real e_slate = 0.5;  ///< coefficient of restitution of ball and slate, 0 to 1
 
     friend constexpr bool operator==(const AirborneSpec&, const AirborneSpec&) = default;
 };
@@ -111,13 +111,13 @@ enum class SolverKind : std::uint8_t {
 
 struct SolverSpec {
     SolverKind kind = SolverKind::kEuler;
-    double hz = 30;  ///< ticks a second; not used by kEvent
+    Real hz = 30;  ///< ticks a second; not used by kEvent
 
     friend constexpr bool operator==(const SolverSpec&, const SolverSpec&) = default;
 };
 
 struct Limits {
-    double time = 600;              ///< s of simulated time
+    Real time = 600;                ///< s of simulated time
     std::uint32_t events = 100000;  ///< of every kind
 
     friend constexpr bool operator==(const Limits&, const Limits&) = default;
@@ -126,8 +126,8 @@ struct Limits {
 struct SceneBall {
     std::string id;
     BallState state;
-    std::optional<double> radius = {};  ///< m, where it differs from Scene::ball
-    std::optional<double> mass = {};    ///< kg, where it differs from Scene::ball
+    std::optional<Real> radius = {};  ///< m, where it differs from Scene::ball
+    std::optional<Real> mass = {};    ///< kg, where it differs from Scene::ball
 
     friend bool operator==(const SceneBall&, const SceneBall&) = default;
 };
@@ -137,13 +137,13 @@ struct SceneBall {
 struct Strike {
     BallIndex ball;
     Vec2 direction{1, 0};  ///< of any length but zero
-    double speed = 0;      ///< of the ball right after it, m/s
+    Real speed = 0;        ///< of the ball right after it, m/s
     /// Where the tip hits, seen along the cue: [side, vertical] in radii, shorter than 1. Side > 0
     /// is right english, vertical > 0 follow.
     Vec2 offset = {};
-    double elevation = 0;  ///< slope of the cue: how far it falls per metre of horizontal way
+    Real elevation = 0;  ///< slope of the cue: how far it falls per metre of horizontal way
     /// Effective end mass of the cue over the ball's mass: what deflects the cue ball (squirt).
-    double end_mass_ratio = 0;
+    Real end_mass_ratio = 0;
 
     friend constexpr bool operator==(const Strike&, const Strike&) = default;
 };
@@ -153,7 +153,7 @@ struct Scene {
     std::string id;
     Table table;
     BallSpec ball;
-    double gravity = 9.81;  ///< m/s^2
+    Real gravity = 9.81;  ///< m/s^2
     Effects effects;
     SolverSpec solver;
     std::vector<SceneBall> balls;
@@ -166,10 +166,10 @@ struct Scene {
 /// Bounds of what a scene may hold; check() refuses the rest.
 inline constexpr std::size_t kMaxBalls = 1024;
 inline constexpr std::size_t kMaxIdBytes = 64;
-inline constexpr double kMinSolverHz = 1;
-inline constexpr double kMaxSolverHz = 1e6;
+inline constexpr Real kMinSolverHz = 1;
+inline constexpr Real kMaxSolverHz = 1e6;
 /// Balls that overlap by no more than this are taken as touching, m.
-inline constexpr double kTouchTolerance = 1e-9;
+inline constexpr Real kTouchTolerance = 1e-9;
 
 struct SceneError {
     std::string pointer;  ///< JSON pointer into the scene's file form, "/balls/1/r"
@@ -180,11 +180,11 @@ struct SceneError {
 [[nodiscard]] std::optional<SceneError> check(const Scene& scene);
 
 /// Of a ball of the scene, m and kg.
-[[nodiscard]] inline double radius_of(const Scene& scene, const SceneBall& ball) {
+[[nodiscard]] inline Real radius_of(const Scene& scene, const SceneBall& ball) {
     return ball.radius.value_or(scene.ball.radius);
 }
 
-[[nodiscard]] inline double mass_of(const Scene& scene, const SceneBall& ball) {
+[[nodiscard]] inline Real mass_of(const Scene& scene, const SceneBall& ball) {
     return ball.mass.value_or(scene.ball.mass);
 }
 

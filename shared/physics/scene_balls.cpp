@@ -2,13 +2,11 @@
 #include "shared/table/playing_area.hpp"
 #include "shared/table/pool_table.hpp"
 
-#include <cmath>
-
 namespace poolhall::scene_checks {
 
 namespace {
 
-MaybeError vector_in_range(const Vec3& a, double bound, const std::string& pointer) {
+MaybeError vector_in_range(const Vec3& a, Real bound, const std::string& pointer) {
     if (auto error = in_range(a.x, -bound, bound, pointer + "/0")) return error;
     if (auto error = in_range(a.y, -bound, bound, pointer + "/1")) return error;
     return in_range(a.z, -bound, bound, pointer + "/2");
@@ -49,8 +47,8 @@ MaybeError check_ball(const Scene& scene, const SceneBall& ball, const std::stri
 
 /// Balls on the cloth touch at this distance in the plane too: their centres' heights are in it.
 bool overlap(const Scene& scene, const SceneBall& a, const SceneBall& b) {
-    const double r_a = radius_of(scene, a);
-    const double r_b = radius_of(scene, b);
+    const Real r_a = radius_of(scene, a);
+    const Real r_b = radius_of(scene, b);
     Vec3 gap = a.state.r - b.state.r;
     gap.z = gap.z + (r_a - r_b);
     return norm(gap) < r_a + r_b - kTouchTolerance;

@@ -9,17 +9,17 @@
 namespace poolhall::scene_checks {
 
 // Bounds wide enough for any experiment that makes sense, narrow enough that squares stay finite.
-inline constexpr double kMaxLength = 1e6;  ///< m; also kg, m/s^2 and s where nothing else bounds
-inline constexpr double kMaxSpeed = 1e6;   ///< m/s
-inline constexpr double kMaxSpin = 1e9;    ///< rad/s
-inline constexpr double kMaxFriction = 10;
+inline constexpr Real kMaxLength = 1e6;  ///< m; also kg, m/s^2 and s where nothing else bounds
+inline constexpr Real kMaxSpeed = 1e6;   ///< m/s
+inline constexpr Real kMaxSpin = 1e9;    ///< rad/s
+inline constexpr Real kMaxFriction = 10;
 
 using MaybeError = std::optional<SceneError>;
 
 /// low <= x <= high; NaN is not.
-[[nodiscard]] MaybeError in_range(double x, double low, double high, const std::string& pointer);
+[[nodiscard]] MaybeError in_range(Real x, Real low, Real high, const std::string& pointer);
 /// 0 < x <= high.
-[[nodiscard]] MaybeError positive(double x, double high, const std::string& pointer);
+[[nodiscard]] MaybeError positive(Real x, Real high, const std::string& pointer);
 
 [[nodiscard]] MaybeError check_effects(const Scene& scene);
 /// The table must have passed.

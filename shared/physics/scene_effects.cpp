@@ -5,7 +5,7 @@ namespace poolhall::scene_checks {
 namespace {
 
 /// Parted by no more than this, pressed balls stay together to the eye.
-constexpr double kMaxSeparation = 1;  ///< m/s
+constexpr Real kMaxSeparation = 1;  ///< m/s
 
 /// The effects with one coefficient of friction.
 template <class Spec>

@@ -18,7 +18,7 @@ Vec3 place(const MovingBall& ball) {
 
 }  // namespace
 
-ShotRun::ShotRun(const Scene& scene, double sample_hz, Workspace& workspace, ShotTrace& trace)
+ShotRun::ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotTrace& trace)
     : scene_(scene), trace_(trace), workspace_(workspace) {
     trace_.events.clear();
     trace_.samples.clear();
@@ -58,17 +58,16 @@ bool ShotRun::any_moves() const {
     });
 }
 
-ShotEvent& ShotRun::add_event(double t, EventKind kind, std::size_t ball,
-                              const MovingBall& before) {
+ShotEvent& ShotRun::add_event(Real t, EventKind kind, std::size_t ball, const MovingBall& before) {
     return trace_.events.emplace_back(t, kind, index_of(ball), before, balls()[ball]);
 }
 
-void ShotRun::record(double t, EventKind kind, std::size_t ball, const MovingBall& before) {
+void ShotRun::record(Real t, EventKind kind, std::size_t ball, const MovingBall& before) {
     balls()[ball].partner = MovingBall::kNobody;
     add_event(t, kind, ball, before);
 }
 
-void ShotRun::record_pair(double t, std::size_t a, std::size_t b, const MovingBall& before_a,
+void ShotRun::record_pair(Real t, std::size_t a, std::size_t b, const MovingBall& before_a,
                           const MovingBall& before_b) {
     ShotEvent& event = add_event(t, EventKind::kBallBall, a, before_a);
     event.ball_count = 2;
@@ -77,20 +76,20 @@ void ShotRun::record_pair(double t, std::size_t a, std::size_t b, const MovingBa
     event.after[1] = state_of(balls()[b]);
 }
 
-void ShotRun::record_rail(double t, std::size_t ball, Rail rail, const MovingBall& before) {
+void ShotRun::record_rail(Real t, std::size_t ball, Rail rail, const MovingBall& before) {
     add_event(t, EventKind::kBallRail, ball, before).rail = rail;
 }
 
-void ShotRun::capture(double t, std::size_t ball, Pocket pocket) {
+void ShotRun::capture(Real t, std::size_t ball, Pocket pocket) {
     trace_.balls[ball].pocket = pocket;
     take_away(t, ball, Motion::kPocketed, EventKind::kBallPocket).pocket = pocket;
 }
 
-void ShotRun::lose(double t, std::size_t ball) {
+void ShotRun::lose(Real t, std::size_t ball) {
     take_away(t, ball, Motion::kOffTable, EventKind::kOffTable);
 }
 
-ShotEvent& ShotRun::take_away(double t, std::size_t ball, Motion to, EventKind kind) {
+ShotEvent& ShotRun::take_away(Real t, std::size_t ball, Motion to, EventKind kind) {
     MovingBall& moving = balls()[ball];
     const MovingBall before = moving;
     moving.motion = to;
@@ -108,7 +107,7 @@ void ShotRun::sort_events_from(std::size_t first) {
         std::rotate(std::upper_bound(begin, event, *event, earlier), event, event + 1);
 }
 
-void ShotRun::sample_at(double t) {
+void ShotRun::sample_at(Real t) {
     while (next_sample_ <= t)
         sample([&](std::size_t i) { return place(balls()[i]); });
 }
@@ -116,7 +115,7 @@ void ShotRun::sample_at(double t) {
 /// The last sample shows the end: the first that is due at or after it.
 void ShotRun::end_samples() {
     const auto due_before_end = [this](std::uint64_t sample) {
-        return static_cast<double>(sample) / trace_.sample_hz < trace_.duration;
+        return static_cast<Real>(sample) / trace_.sample_hz < trace_.duration;
     };
     if (samples_ == 0 || due_before_end(samples_ - 1)) sample_at(next_sample_);
     // A tick may go on after the last event in it.
@@ -125,7 +124,7 @@ void ShotRun::end_samples() {
     trace_.samples.resize(samples_ * balls().size());
 }
 
-void ShotRun::finish(Outcome outcome, double t, std::uint64_t ticks) {
+void ShotRun::finish(Outcome outcome, Real t, std::uint64_t ticks) {
     trace_.outcome = outcome;
     trace_.ticks = ticks;
     trace_.duration = t;

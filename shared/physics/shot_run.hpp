@@ -12,7 +12,6 @@
 #include "shared/physics/soonest.hpp"
 #include "shared/physics/trace.hpp"
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -53,7 +52,7 @@ struct Workspace {
 class ShotRun {
   public:
     /// Puts the balls on the table and delivers the strike.
-    ShotRun(const Scene& scene, double sample_hz, Workspace& workspace, ShotTrace& trace);
+    ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotTrace& trace);
 
     [[nodiscard]] std::vector<MovingBall>& balls() { return workspace_.balls; }
 
@@ -70,58 +69,58 @@ class ShotRun {
     [[nodiscard]] std::size_t event_count() const { return trace_.events.size(); }
 
     /// What happened to one ball: any kind but strike, ball_ball, ball_rail and ball_pocket.
-    void record(double t, EventKind kind, std::size_t ball, const MovingBall& before);
-    void record_pair(double t, std::size_t a, std::size_t b, const MovingBall& before_a,
+    void record(Real t, EventKind kind, std::size_t ball, const MovingBall& before);
+    void record_pair(Real t, std::size_t a, std::size_t b, const MovingBall& before_a,
                      const MovingBall& before_b);
-    void record_rail(double t, std::size_t ball, Rail rail, const MovingBall& before);
+    void record_rail(Real t, std::size_t ball, Rail rail, const MovingBall& before);
     /// Takes the ball off the table, into a pocket.
-    void capture(double t, std::size_t ball, Pocket pocket);
+    void capture(Real t, std::size_t ball, Pocket pocket);
     /// The ball leaves the table over a rail.
-    void lose(double t, std::size_t ball);
+    void lose(Real t, std::size_t ball);
 
     /// Puts the events from the given one on in order of time; those at the same instant stay as
     /// they came.
     void sort_events_from(std::size_t first);
 
     /// When the next sample is due, s; infinity where none is asked for.
-    [[nodiscard]] double next_sample() const { return next_sample_; }
+    [[nodiscard]] Real next_sample() const { return next_sample_; }
 
     /// Writes one sample: place(i) is where ball i is then.
     template <class Place>
     void sample(Place place) {
         for (std::size_t i = 0; i < workspace_.balls.size(); ++i)
             trace_.samples.push_back(place(i));
-        next_sample_ = static_cast<double>(++samples_) / trace_.sample_hz;
+        next_sample_ = static_cast<Real>(++samples_) / trace_.sample_hz;
     }
 
     /// Writes the samples due before `until` (s); place_after(i, time) says where ball i is `time`
     /// s after `from`.
     template <class PlaceAfter>
-    void sample_before(double until, double from, PlaceAfter place_after) {
+    void sample_before(Real until, Real from, PlaceAfter place_after) {
         while (next_sample_ < until) {
-            const double passed = next_sample_ - from;
+            const Real passed = next_sample_ - from;
             sample([&](std::size_t i) { return place_after(i, passed); });
         }
     }
 
     /// Writes the samples due up to t, the balls' places being those at t.
-    void sample_at(double t);
+    void sample_at(Real t);
 
     /// Completes the trace. `t` is the time reached.
-    void finish(Outcome outcome, double t, std::uint64_t ticks);
+    void finish(Outcome outcome, Real t, std::uint64_t ticks);
 
   private:
     void strike();
     void end_samples();
     /// Ends the ball's part in the shot.
-    ShotEvent& take_away(double t, std::size_t ball, Motion to, EventKind kind);
-    ShotEvent& add_event(double t, EventKind kind, std::size_t ball, const MovingBall& before);
+    ShotEvent& take_away(Real t, std::size_t ball, Motion to, EventKind kind);
+    ShotEvent& add_event(Real t, EventKind kind, std::size_t ball, const MovingBall& before);
 
     const Scene& scene_;
     ShotTrace& trace_;
     Workspace& workspace_;
     std::uint64_t samples_ = 0;
-    double next_sample_ = std::numeric_limits<double>::infinity();  ///< s; when it is due
+    Real next_sample_ = kInfinity;  ///< s; when it is due
 };
 
 }  // namespace poolhall

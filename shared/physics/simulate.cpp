@@ -54,20 +54,20 @@ void run_solver(SolverKind solver, std::size_t kernel, ShotRun& run) {
 
 }  // namespace
 
-void Simulator::run(std::size_t kernel, const Scene& scene, double sample_hz, ShotTrace& trace) {
+void Simulator::run(std::size_t kernel, const Scene& scene, Real sample_hz, ShotTrace& trace) {
     trace.kernel = kNames[kernel];
     trace.solver = scene.solver.kind;
     ShotRun run(scene, sample_hz, workspace_, trace);
     run_solver(scene.solver.kind, kernel, run);
 }
 
-void Simulator::simulate(const Scene& scene, double sample_hz, ShotTrace& trace) {
+void Simulator::simulate(const Scene& scene, Real sample_hz, ShotTrace& trace) {
     const std::size_t kernel = first_kernel(scene, [](std::string_view) { return true; });
     assert(kernel < kNames.size());
     run(kernel, scene, sample_hz, trace);
 }
 
-bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, double sample_hz,
+bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz,
                             ShotTrace& trace) {
     const std::size_t found =
         first_kernel(scene, [&](std::string_view name) { return name == kernel; });
@@ -76,11 +76,11 @@ bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, double 
     return true;
 }
 
-void simulate(const Scene& scene, double sample_hz, ShotTrace& trace) {
+void simulate(const Scene& scene, Real sample_hz, ShotTrace& trace) {
     Simulator().simulate(scene, sample_hz, trace);
 }
 
-ShotTrace simulate(const Scene& scene, double sample_hz) {
+ShotTrace simulate(const Scene& scene, Real sample_hz) {
     ShotTrace trace;
     simulate(scene, sample_hz, trace);
     return trace;
@@ -90,7 +90,7 @@ std::span<const std::string_view> kernel_names() {
     return kNames;
 }
 
-bool simulate_by(std::string_view kernel, const Scene& scene, double sample_hz, ShotTrace& trace) {
+bool simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz, ShotTrace& trace) {
     return Simulator().simulate_by(kernel, scene, sample_hz, trace);
 }
 

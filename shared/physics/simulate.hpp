@@ -11,7 +11,7 @@
 namespace poolhall {
 
 /// Rate at which shots are shown and broadcast, 1/s.
-inline constexpr double kPlayoutHz = 30;
+inline constexpr Real kPlayoutHz = 30;
 
 /// Simulates shots one after another in the same memory: a shot that needs no more of it than an
 /// earlier one allocates nothing, given a trace that has room.
@@ -26,23 +26,23 @@ class Simulator {
     /// or a limit is reached. `sample_hz` > 0 also fills trace.samples with positions at
     /// k / sample_hz, k = 0, 1, ... up to the first at or after the end. The trace is overwritten;
     /// its memory is used again. The scene must have passed check().
-    void simulate(const Scene& scene, double sample_hz, ShotTrace& trace);
+    void simulate(const Scene& scene, Real sample_hz, ShotTrace& trace);
 
     /// simulate() by the kernel of that name. False, and the trace untouched, if there is none or
     /// it does not cover the scene.
-    [[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, double sample_hz,
+    [[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz,
                                    ShotTrace& trace);
 
   private:
-    void run(std::size_t kernel, const Scene& scene, double sample_hz, ShotTrace& trace);
+    void run(std::size_t kernel, const Scene& scene, Real sample_hz, ShotTrace& trace);
 
     Workspace workspace_;
 };
 
 /// The same once, in memory of its own.
-void simulate(const Scene& scene, double sample_hz, ShotTrace& trace);
-[[nodiscard]] ShotTrace simulate(const Scene& scene, double sample_hz = 0);
-[[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, double sample_hz,
+void simulate(const Scene& scene, Real sample_hz, ShotTrace& trace);
+[[nodiscard]] ShotTrace simulate(const Scene& scene, Real sample_hz = 0);
+[[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz,
                                ShotTrace& trace);
 
 /// The kernels (sets of effects compiled together), cheapest first. simulate() takes the first that

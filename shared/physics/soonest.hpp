@@ -14,7 +14,7 @@ namespace poolhall {
 class Soonest {
   public:
     struct Found {
-        double t = kNever;
+        Real t = kNever;
         std::size_t ball = 0;   ///< the first that has t
         std::size_t count = 0;  ///< how many have it; of kNever, not how many
     };
@@ -26,7 +26,7 @@ class Soonest {
         times_.assign(is_tree_ ? 2 * leaves_ : balls, kNever);
     }
 
-    void set(std::size_t ball, double t) {
+    void set(std::size_t ball, Real t) {
         if (!is_tree_) {
             times_[ball] = t;
             return;
@@ -34,7 +34,7 @@ class Soonest {
         std::size_t node = leaves_ + ball;
         times_[node] = t;
         while (node > 1) {
-            const double sooner = std::min(times_[node], times_[node ^ 1]);
+            const Real sooner = std::min(times_[node], times_[node ^ 1]);
             node /= 2;
             if (times_[node] == sooner) return;
             times_[node] = sooner;
@@ -47,7 +47,7 @@ class Soonest {
     [[nodiscard]] Found least() const {
         // No branches: who comes next cannot be foreseen.
         Found found;
-        for (const double t : times_)
+        for (const Real t : times_)
             found.t = std::min(t, found.t);
         for (std::size_t i = times_.size(); i-- > 0;) {
             const bool has_it = times_[i] <= found.t;
@@ -76,7 +76,7 @@ class Soonest {
 
     bool is_tree_ = false;
     std::size_t leaves_ = 1;  ///< of the tree
-    std::vector<double>
+    std::vector<Real>
         times_;  ///< a ball; as a tree, a node, the root at 1, node k's children at 2k
 };
 

@@ -3,34 +3,33 @@
 #include "shared/math/double_double.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poolhall {
 
 namespace {
 
 /// Velocities outside these are scaled by a power of two, so that no product over- or underflows.
-constexpr double kHugeSpeed = 0x1p300;
-constexpr double kTinySpeed = 0x1p-300;
-constexpr double kScale = 0x1p600;
+constexpr Real kHugeSpeed = 0x1p300;
+constexpr Real kTinySpeed = 0x1p-300;
+constexpr Real kScale = 0x1p600;
 
 /// Below this share of c.c, C = c.c - d^2 has lost too many digits.
-constexpr double kNear = 0x1p-3;
+constexpr Real kNear = 0x1p-3;
 /// Bound of the relative rounding error of q, generously: four operations each side.
-constexpr double kRounding = 0x1p-50;
+constexpr Real kRounding = 4 * kEpsilon;
 /// |q| within this share of its terms is an exact graze: what double-double leaves of zero. One ulp
-/// of offset is 2^-52.
-constexpr double kExactGraze = 0x1p-98;
+/// of offset is kEpsilon.
+constexpr Real kExactGraze = 64 * kEpsilon * kEpsilon;
 /// Relative error that the fast path may leave in t.
-constexpr double kAllowed = 0x1p-50;
+constexpr Real kAllowed = 4 * kEpsilon;
 
-double abs_max(Vec2 a) {
-    return std::max(std::abs(a.x), std::abs(a.y));
+Real abs_max(Vec2 a) {
+    return std::max(abs(a.x), abs(a.y));
 }
 
 /// The terms of the quadratic A t^2 - 2 B t + C = 0 in double-double, from unrounded differences.
 struct PreciseTerms {
-    PreciseTerms(const UniformMotion& a, const UniformMotion& b, double distance)
+    PreciseTerms(const UniformMotion& a, const UniformMotion& b, Real distance)
         : c(exact_difference(b.r, a.r)), v(exact_difference(b.v, a.v)) {
         const DoubleDouble distance_squared = two_product(distance, distance);
         gap = dot(c, c) - distance_squared;
@@ -40,8 +39,7 @@ struct PreciseTerms {
         const DoubleDouble area = left - right;
         const DoubleDouble reach = dot(v, v) * distance_squared;
         q = reach - area * area;
-        q_error =
-            kExactGraze * (reach.hi + std::abs(area.hi) * (std::abs(left.hi) + std::abs(right.hi)));
+        q_error = kExactGraze * (reach.hi + abs(area.hi) * (abs(left.hi) + abs(right.hi)));
     }
 
     Vec2DoubleDouble c;
@@ -49,11 +47,10 @@ struct PreciseTerms {
     DoubleDouble gap;       ///< C
     DoubleDouble approach;  ///< B
     DoubleDouble q;
-    double q_error;  ///< bound of the rounding error of q
+    Real q_error;  ///< bound of the rounding error of q
 };
 
-std::optional<double> precise_time(const UniformMotion& a, const UniformMotion& b,
-                                   double distance) {
+std::optional<Real> precise_time(const UniformMotion& a, const UniformMotion& b, Real distance) {
     const PreciseTerms terms(a, b, distance);
     if (terms.approach.hi <= 0) return std::nullopt;
     if (terms.gap.hi <= 0) return 0;
@@ -62,52 +59,50 @@ std::optional<double> precise_time(const UniformMotion& a, const UniformMotion& 
 }
 
 /// The scaled problem: no intermediate result over- or underflows.
-std::optional<double> scaled_time(const UniformMotion& a, const UniformMotion& b, double distance) {
+std::optional<Real> scaled_time(const UniformMotion& a, const UniformMotion& b, Real distance) {
     const Vec2 c = b.r - a.r;
     const Vec2 v = b.v - a.v;
-    const double approach = -dot(c, v);
-    const double square = dot(c, c);
-    const double gap = square - distance * distance;
-    const double left = c.x * v.y;
-    const double right = c.y * v.x;
-    const double area = left - right;
-    const double reach = dot(v, v) * distance * distance;
-    const double q = reach - area * area;
-    const double q_error =
-        kRounding * (std::abs(area) * (std::abs(left) + std::abs(right)) + reach);
+    const Real approach = -dot(c, v);
+    const Real square = dot(c, c);
+    const Real gap = square - distance * distance;
+    const Real left = c.x * v.y;
+    const Real right = c.y * v.x;
+    const Real area = left - right;
+    const Real reach = dot(v, v) * distance * distance;
+    const Real q = reach - area * area;
+    const Real q_error = kRounding * (abs(area) * (abs(left) + abs(right)) + reach);
     if (gap > kNear * square) {
         if (approach <= 0 || q < -q_error) return std::nullopt;
         if (q > q_error) {
-            const double root = std::sqrt(q);
-            const double denominator = approach + root;
+            const Real root = sqrt(q);
+            const Real denominator = approach + root;
             if (q_error <= kAllowed * root * denominator) return gap / denominator;
         }
     }
     // Balls that touch mostly part; what is beyond rounding needs no more digits.
-    if (approach < -kRounding * (std::abs(c.x * v.x) + std::abs(c.y * v.y))) return std::nullopt;
+    if (approach < -kRounding * (abs(c.x * v.x) + abs(c.y * v.y))) return std::nullopt;
     return precise_time(a, b, distance);
 }
 
 /// The power of two that brings the speeds to where no product over- or underflows.
-double speed_scale(Vec2 v_a, Vec2 v_b) {
-    const double speed = std::max(abs_max(v_a), abs_max(v_b));
+Real speed_scale(Vec2 v_a, Vec2 v_b) {
+    const Real speed = std::max(abs_max(v_a), abs_max(v_b));
     if (speed > kHugeSpeed) return 1 / kScale;
     return speed < kTinySpeed ? kScale : 1;
 }
 
 }  // namespace
 
-std::optional<double> time_of_impact(const UniformMotion& a, const UniformMotion& b,
-                                     double distance) {
-    const double scale = speed_scale(a.v, b.v);
+std::optional<Real> time_of_impact(const UniformMotion& a, const UniformMotion& b, Real distance) {
+    const Real scale = speed_scale(a.v, b.v);
     if (scale == 1) return scaled_time(a, b, distance);
-    const std::optional<double> t = scaled_time({a.r, scale * a.v}, {b.r, scale * b.v}, distance);
+    const std::optional<Real> t = scaled_time({a.r, scale * a.v}, {b.r, scale * b.v}, distance);
     if (!t) return std::nullopt;
     return *t * scale;
 }
 
-double time_since_impact(const UniformMotion& a, const UniformMotion& b, double distance) {
-    const double scale = speed_scale(a.v, b.v);
+Real time_since_impact(const UniformMotion& a, const UniformMotion& b, Real distance) {
+    const Real scale = speed_scale(a.v, b.v);
     const PreciseTerms terms({a.r, scale * a.v}, {b.r, scale * b.v}, distance);
     const DoubleDouble root = sqrt(terms.q);
     // Of the two ways to write the root of the quadratic, the one that adds.

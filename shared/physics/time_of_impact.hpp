@@ -21,14 +21,13 @@ struct UniformMotion {
 /// (HARD_CASES: wrong verdicts at 1e-7 rad). Where rounding could still matter the four terms are
 /// taken in double-double from the unrounded differences. Relative error of t below 1e-14; verdicts
 /// right to the last bit. Places and `distance` up to 1e30 m, any finite velocity.
-[[nodiscard]] std::optional<double> time_of_impact(const UniformMotion& a, const UniformMotion& b,
-                                                   double distance);
+[[nodiscard]] std::optional<Real> time_of_impact(const UniformMotion& a, const UniformMotion& b,
+                                                 Real distance);
 
 /// How long ago (s) two overlapping centres that have moved uniformly were `distance` (m) apart:
 /// the larger root of A t^2 + 2 B t + C = 0 with the terms above, (sqrt q - B) / A or, where B > 0,
 /// -C / (B + sqrt q). It is the correction of the text's 5.2.1, whose form cancels for a ball that
 /// has just come in. Their relative velocity must not be zero.
-[[nodiscard]] double time_since_impact(const UniformMotion& a, const UniformMotion& b,
-                                       double distance);
+[[nodiscard]] Real time_since_impact(const UniformMotion& a, const UniformMotion& b, Real distance);
 
 }  // namespace poolhall

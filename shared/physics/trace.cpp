@@ -47,7 +47,7 @@ void add(StateHash& hash, const RailSpec& spec) {
 
 /// An effect that may be absent, by its one coefficient.
 template <class Spec>
-void add(StateHash& hash, const std::optional<Spec>& spec, double Spec::*coefficient) {
+void add(StateHash& hash, const std::optional<Spec>& spec, Real Spec::*coefficient) {
     hash.add(std::uint64_t{spec.has_value()});
     if (spec) hash.add((*spec).*coefficient);
 }

@@ -30,7 +30,7 @@ struct ShotEvent {
     ShotEvent() = default;
 
     /// What happened to one ball.
-    ShotEvent(double time, EventKind what, BallIndex ball, const MovingBall& was,
+    ShotEvent(Real time, EventKind what, BallIndex ball, const MovingBall& was,
               const MovingBall& is)
         : t(time),
           kind(what),
@@ -38,7 +38,7 @@ struct ShotEvent {
           before{state_of(was), {}},
           after{state_of(is), {}} {}
 
-    double t = 0;  ///< s since the strike
+    Real t = 0;  ///< s since the strike
     EventKind kind = EventKind::kStrike;
     std::uint8_t ball_count = 1;
     Rail rail = Rail::kNorth;
@@ -71,11 +71,11 @@ struct ShotTrace {
     std::string_view kernel;  ///< name of the effect set that was simulated
     SolverKind solver = SolverKind::kEuler;
     Outcome outcome = Outcome::kRest;
-    double duration = 0;  ///< time of the last event, or the limit; s
+    Real duration = 0;  ///< time of the last event, or the limit; s
     std::uint64_t ticks = 0;
     std::vector<ShotEvent> events;  ///< in order of time
     std::vector<FinalBall> balls;   ///< in the scene's order
-    double sample_hz = 0;           ///< of `samples`; 0: none asked for
+    Real sample_hz = 0;             ///< of `samples`; 0: none asked for
     std::vector<Vec3> samples;      ///< sample k, ball i at [k * balls.size() + i]; m
     std::uint64_t hash = 0;         ///< of events and final states
 

@@ -16,8 +16,8 @@ struct BallIndex {
 
 /// What all the balls of a scene share.
 struct BallSpec {
-    double radius = 0.028575;  ///< m
-    double mass = 0.170097;    ///< kg
+    Real radius = 0.028575;  ///< m
+    Real mass = 0.170097;    ///< kg
 
     friend constexpr bool operator==(const BallSpec&, const BallSpec&) = default;
 };

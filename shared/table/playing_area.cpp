@@ -3,7 +3,6 @@
 #include "shared/table/pool_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poolhall {
 
@@ -34,8 +33,8 @@ bool in_outline(const PoolTable& table, Vec2 r) {
 }
 
 /// Whether a ball in the outline reaches no deeper than `slack` into rubber.
-bool clear_of_rubber(const PoolTable& table, Vec2 r, double radius, double slack) {
-    const double least = radius - slack;
+bool clear_of_rubber(const PoolTable& table, Vec2 r, Real radius, Real slack) {
+    const Real least = radius - slack;
     const bool lines =
         std::all_of(table.lines().begin(), table.lines().end(), [&](const CushionLine& line) {
             return !within(line, r) || dot(line.from - r, line.normal) >= least;
@@ -53,10 +52,10 @@ bool in_hole(const PoolTable& table, Vec2 r) {
 
 }  // namespace
 
-bool is_on_table(const Table& table, Vec2 r, double radius, double slack) {
+bool is_on_table(const Table& table, Vec2 r, Real radius, Real slack) {
     if (!table.rails) return true;
     const Vec2 edge = inset(table, radius);
-    const bool inside = std::abs(r.x) <= edge.x + slack && std::abs(r.y) <= edge.y + slack;
+    const bool inside = abs(r.x) <= edge.x + slack && abs(r.y) <= edge.y + slack;
     if (table.pockets != PocketModel::kPool) return inside;
     const PoolTable pool(table);
     if (in_hole(pool, r)) return false;

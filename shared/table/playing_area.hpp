@@ -8,6 +8,6 @@ namespace poolhall {
 /// of a pool table: within the noses, or in a mouth and clear of its rubber. It may reach `slack` m
 /// into the rubber, as far as rounding goes. An endless cloth has room everywhere. On a pool table,
 /// is_large_enough_for_pool(table) must hold.
-[[nodiscard]] bool is_on_table(const Table& table, Vec2 r, double radius, double slack);
+[[nodiscard]] bool is_on_table(const Table& table, Vec2 r, Real radius, Real slack);
 
 }  // namespace poolhall

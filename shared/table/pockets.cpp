@@ -1,18 +1,16 @@
 #include "shared/table/pockets.hpp"
 
-#include <cmath>
-
 namespace poolhall {
 
 namespace {
 
 struct Interval {
-    double from;
-    double to;
+    Real from;
+    Real to;
 };
 
 /// When x + v t >= edge, within [0, time]; empty (from > to) if never.
-Interval time_above(double x, double v, double edge, double time) {
+Interval time_above(Real x, Real v, Real edge, Real time) {
     if (x >= edge) return {0, v < 0 ? (edge - x) / v : time};
     if (v <= 0) return {1, 0};
     return {(edge - x) / v, time};
@@ -31,24 +29,24 @@ Pocket pocket_of(int column, bool north) {
 
 }  // namespace
 
-EndGamePocketMap::EndGamePocketMap(const Table& table, double radius)
+EndGamePocketMap::EndGamePocketMap(const Table& table, Real radius)
     : corner_x_(table.length / 2 - 1.5 * radius),
       near_rail_y_(table.width / 2 - 1.5 * radius),
       centre_x_(0.75 * radius) {}
 
 std::optional<Pocket> EndGamePocketMap::at(Vec2 r) const {
-    if (std::abs(r.y) < near_rail_y_) return std::nullopt;
-    if (std::abs(r.x) <= centre_x_) return pocket_of(0, r.y > 0);
-    if (std::abs(r.x) < corner_x_) return std::nullopt;
+    if (abs(r.y) < near_rail_y_) return std::nullopt;
+    if (abs(r.x) <= centre_x_) return pocket_of(0, r.y > 0);
+    if (abs(r.x) < corner_x_) return std::nullopt;
     return pocket_of(r.x < 0 ? -1 : 1, r.y > 0);
 }
 
-std::optional<Capture> EndGamePocketMap::first_capture(Vec2 r, Vec2 v, double time) const {
+std::optional<Capture> EndGamePocketMap::first_capture(Vec2 r, Vec2 v, Real time) const {
     // Most ticks pass far from the long rails.
-    if (std::abs(r.y) + std::abs(v.y) * time < near_rail_y_) return std::nullopt;
+    if (abs(r.y) + abs(v.y) * time < near_rail_y_) return std::nullopt;
     std::optional<Capture> first;
     for (const bool north : {true, false}) {
-        const double y_sign = north ? 1 : -1;
+        const Real y_sign = north ? 1 : -1;
         const Interval near_rail = time_above(y_sign * r.y, y_sign * v.y, near_rail_y_, time);
         if (near_rail.from > near_rail.to || near_rail.from > time) continue;
         for (const int column : {-1, 0, 1}) {
@@ -66,8 +64,8 @@ std::optional<Capture> EndGamePocketMap::first_capture(Vec2 r, Vec2 v, double ti
 }
 
 Vec2 EndGamePocketMap::mouth(const Table& table, Pocket pocket) {
-    const double x = table.length / 2;
-    const double y = table.width / 2;
+    const Real x = table.length / 2;
+    const Real y = table.width / 2;
     switch (pocket) {
         case Pocket::kNorthWest:
             return {-x, y};

@@ -8,7 +8,7 @@ namespace poolhall {
 
 /// A ball's capture by a pocket.
 struct Capture {
-    double t = 0;  ///< s from now
+    Real t = 0;  ///< s from now
     Pocket pocket = Pocket::kNorthWest;
 };
 
@@ -18,26 +18,26 @@ struct Capture {
 /// text, 5.2.3, with the numbers of its derivatives.
 class EndGamePocketMap {
   public:
-    EndGamePocketMap(const Table& table, double radius);
+    EndGamePocketMap(const Table& table, Real radius);
 
     /// The pocket that holds a ball centred at r.
     [[nodiscard]] std::optional<Pocket> at(Vec2 r) const;
     /// The first capture of a ball that moves from r with velocity v, within `time` s.
-    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const;
+    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, Real time) const;
     /// Where the pocket is drawn and where its ball is shown: a point on the rails, m.
     [[nodiscard]] static Vec2 mouth(const Table& table, Pocket pocket);
 
     // The lines that bound the captures, m.
-    [[nodiscard]] double corner_x() const { return corner_x_; }
+    [[nodiscard]] Real corner_x() const { return corner_x_; }
 
-    [[nodiscard]] double near_rail_y() const { return near_rail_y_; }
+    [[nodiscard]] Real near_rail_y() const { return near_rail_y_; }
 
-    [[nodiscard]] double centre_x() const { return centre_x_; }
+    [[nodiscard]] Real centre_x() const { return centre_x_; }
 
   private:
-    double corner_x_;     ///< corner capture from |x| >= this, m
-    double near_rail_y_;  ///< any capture from |y| >= this, m
-    double centre_x_;     ///< centre capture up to |x| <= this, m
+    Real corner_x_;     ///< corner capture from |x| >= this, m
+    Real near_rail_y_;  ///< any capture from |y| >= this, m
+    Real centre_x_;     ///< centre capture up to |x| <= this, m
 };
 
 }  // namespace poolhall

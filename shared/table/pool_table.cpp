@@ -4,19 +4,19 @@ namespace poolhall {
 
 namespace {
 
-constexpr double kHalfSqrt2 = 0.70710678118654752;
+constexpr Real kHalfSqrt2 = 0.70710678118654752;
 
 /// How far from the crossing of a corner's two nose lines its mouth begins, and how far from the
 /// middle of a long rail a side pocket's, along the rail; m.
-constexpr double kCornerMouthStart = kCornerMouth.width * kHalfSqrt2;
-constexpr double kSideMouthStart = kSideMouth.width / 2;
+constexpr Real kCornerMouthStart = kCornerMouth.width * kHalfSqrt2;
+constexpr Real kSideMouthStart = kSideMouth.width / 2;
 
 /// How far from the crossing of its nose lines a corner's hole is, along each axis, outwards; m.
 /// The mouth's line is half a width on this side of the crossing.
-constexpr double kCornerHole =
+constexpr Real kCornerHole =
     (kCornerMouth.shelf + kCornerMouth.hole_radius - kCornerMouth.width / 2) * kHalfSqrt2;
 /// How far outside the nose line a side hole is, m.
-constexpr double kSideHole = kSideMouth.shelf + kSideMouth.hole_radius;
+constexpr Real kSideHole = kSideMouth.shelf + kSideMouth.hole_radius;
 
 /// One rail end as seen from the rail: x runs along the nose away from the pocket, from the
 /// crossing of a corner's nose lines or from the middle of a long rail; y out of the table.
@@ -25,14 +25,14 @@ struct RailEnd {
     Vec2 facing_from;
     Vec2 facing_to;
     Vec2 facing_normal;
-    double radius;
+    Real radius;
 };
 
-constexpr RailEnd rail_end(const MouthSpec& mouth, double mouth_start) {
+constexpr RailEnd rail_end(const MouthSpec& mouth, Real mouth_start) {
     const auto [back, out] = mouth.facing;
     // The fillet of a corner of 90 + a degrees, {back, out} = {sin a, cos a}, begins
     // r tan((90 - a) / 2) = r (1 - sin a) / cos a from the corner's point.
-    const double tangent = mouth.jaw_radius * (1 - back) / out;
+    const Real tangent = mouth.jaw_radius * (1 - back) / out;
     const Vec2 centre{mouth_start + tangent, mouth.jaw_radius};
     const Vec2 normal{out, back};
     return {.arc_centre = centre,
@@ -125,7 +125,7 @@ CushionArc arc_of(const Jaw& jaw, Vec2 half, Rail rail) {
 }
 
 /// x, y: -1, 0 or 1, which corner or middle.
-Hole hole_of(Pocket pocket, double x, double y, Vec2 half) {
+Hole hole_of(Pocket pocket, Real x, Real y, Vec2 half) {
     if (x == 0) return {{0, y * (half.y + kSideHole)}, kSideMouth.hole_radius, pocket};
     return {
         {x * (half.x + kCornerHole), y * (half.y + kCornerHole)}, kCornerMouth.hole_radius, pocket};
@@ -136,18 +136,17 @@ constexpr Vec2 kSideHoleSeen{0, kSideHole};
 
 /// The largest ball that gets through: facings close in on it, so the edge where it drops is the
 /// narrowest place that it has to pass. `inwards`: unit, from the hole to the mouth.
-constexpr double clearance(const RailEnd& end, Vec2 hole, double hole_radius, Vec2 inwards) {
+constexpr Real clearance(const RailEnd& end, Vec2 hole, Real hole_radius, Vec2 inwards) {
     return dot(end.facing_from - (hole + hole_radius * inwards), end.facing_normal);
 }
 
-constexpr double kCornerClearance =
+constexpr Real kCornerClearance =
     clearance(kCornerEnd, kCornerHoleSeen, kCornerMouth.hole_radius, {kHalfSqrt2, -kHalfSqrt2});
-constexpr double kSideClearance =
-    clearance(kSideEnd, kSideHoleSeen, kSideMouth.hole_radius, {0, -1});
+constexpr Real kSideClearance = clearance(kSideEnd, kSideHoleSeen, kSideMouth.hole_radius, {0, -1});
 
 /// A ball of radius r that touches the end of a facing must be in the hole, or it could roll around
 /// that end.
-constexpr bool closed(const RailEnd& end, Vec2 hole, double hole_radius, double r) {
+constexpr bool closed(const RailEnd& end, Vec2 hole, Real hole_radius, Real r) {
     const Vec2 last = end.facing_to - r * end.facing_normal - hole;
     return dot(last, last) < hole_radius * hole_radius;
 }
@@ -175,11 +174,11 @@ PoolTable::PoolTable(const Table& table) {
 }
 
 bool is_large_enough_for_pool(const Table& table) {
-    const double corner = kCornerEnd.arc_centre.x;
+    const Real corner = kCornerEnd.arc_centre.x;
     return table.length / 2 > corner + kSideEnd.arc_centre.x && table.width / 2 > corner;
 }
 
-bool fits_pool_table(double ball_radius) {
+bool fits_pool_table(Real ball_radius) {
     return ball_radius < kCornerClearance && ball_radius < kSideClearance;
 }
 

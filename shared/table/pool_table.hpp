@@ -10,11 +10,11 @@ namespace poolhall {
 /// The shape of a pocket's mouth. The same numbers on every table: a mouth is cut for the balls,
 /// not for the table. Sources in shared/PHYSICS.md, "The pool table".
 struct MouthSpec {
-    double width;       ///< between the points where nose and facing would meet unrounded, m
-    Vec2 facing;        ///< unit vector along a facing: {back towards the pocket, out of the table}
-    double jaw_radius;  ///< of the nose where it turns into the mouth, m
-    double shelf;       ///< from the middle of the mouth's line to the edge where balls drop, m
-    double hole_radius;  ///< of that edge, m
+    Real width;        ///< between the points where nose and facing would meet unrounded, m
+    Vec2 facing;       ///< unit vector along a facing: {back towards the pocket, out of the table}
+    Real jaw_radius;   ///< of the nose where it turns into the mouth, m
+    Real shelf;        ///< from the middle of the mouth's line to the edge where balls drop, m
+    Real hole_radius;  ///< of that edge, m
 };
 
 /// WPA: mouth 4 1/2 to 4 5/8 in, cut 142 degrees, shelf 1 to 2 1/4 in. The facing turns 142 - 90
@@ -37,7 +37,7 @@ inline constexpr MouthSpec kSideMouth{
 };
 
 /// From the nose of a cushion to its back, where the facings end; m. WPA: 1 7/8 to 2 in.
-inline constexpr double kCushionWidth = 0.0508;
+inline constexpr Real kCushionWidth = 0.0508;
 
 /// A straight stretch of rubber; balls touch it from the side that `normal` points away from.
 struct CushionLine {
@@ -49,17 +49,17 @@ struct CushionLine {
 
 /// A rounded rail end: a convex arc of the nose, tangent to the lines on both sides of it.
 struct CushionArc {
-    Vec2 centre;        ///< m
-    double radius = 0;  ///< m
-    Vec2 from;          ///< unit, from the centre to the joint with the rail's long line
-    Vec2 to;  ///< unit, from the centre to the joint with the facing; under 90 degrees away
+    Vec2 centre;      ///< m
+    Real radius = 0;  ///< m
+    Vec2 from;        ///< unit, from the centre to the joint with the rail's long line
+    Vec2 to;          ///< unit, from the centre to the joint with the facing; under 90 degrees away
     Rail rail = Rail::kNorth;
 };
 
 /// A hole captures a ball whose centre comes within `radius` of `centre`.
 struct Hole {
-    Vec2 centre;        ///< m
-    double radius = 0;  ///< m
+    Vec2 centre;      ///< m
+    Real radius = 0;  ///< m
     Pocket pocket = Pocket::kNorthWest;
 };
 
@@ -73,12 +73,12 @@ struct Hole {
 /// from the line by one instant and from the arc by another, a rounding error apart, and must not
 /// slip between the two. The surplus lies below the line's surface by 1e-18 of the radius, so no
 /// ball meets it first.
-inline constexpr double kJointSlack = 1e-9;
+inline constexpr Real kJointSlack = 1e-9;
 
 /// Whether `direction` (any length but zero), seen from the arc's centre, lies in its sector.
 [[nodiscard]] constexpr bool within(const CushionArc& arc, Vec2 direction) {
     // Crosses times the sense of rotation: the same bits for an arc and its mirror image.
-    const double turn = cross(arc.from, arc.to);
+    const Real turn = cross(arc.from, arc.to);
     return cross(arc.from, direction) * turn >= -kJointSlack * dot(arc.from, direction) &&
            cross(direction, arc.to) * turn >= -kJointSlack * dot(arc.to, direction);
 }
@@ -111,6 +111,6 @@ class PoolTable {
 
 /// Whether a ball of this radius (m) gets through every mouth: up to 52.48 mm. Of such balls none
 /// gets out of the table but into a hole.
-[[nodiscard]] bool fits_pool_table(double ball_radius);
+[[nodiscard]] bool fits_pool_table(Real ball_radius);
 
 }  // namespace poolhall

@@ -16,7 +16,7 @@ std::string_view name(Pocket pocket) {
     return kNames[static_cast<std::size_t>(pocket)];
 }
 
-Vec2 inset(const Table& table, double radius) {
+Vec2 inset(const Table& table, Real radius) {
     return {table.length / 2 - radius, table.width / 2 - radius};
 }
 

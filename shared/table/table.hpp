@@ -49,16 +49,16 @@ enum class PocketModel : std::uint8_t {
 /// Captures a ball whose centre comes within `radius` of `centre`.
 struct PocketCircle {
     std::string id;
-    Vec2 centre;        ///< m
-    double radius = 0;  ///< m
+    Vec2 centre;      ///< m
+    Real radius = 0;  ///< m
 
     friend bool operator==(const PocketCircle&, const PocketCircle&) = default;
 };
 
 struct Table {
-    double length = 2.54;  ///< nose to nose along x, m
-    double width = 1.27;   ///< nose to nose along y, m
-    bool rails = true;     ///< false: an endless cloth
+    Real length = 2.54;  ///< nose to nose along x, m
+    Real width = 1.27;   ///< nose to nose along y, m
+    bool rails = true;   ///< false: an endless cloth
     PocketModel pockets = PocketModel::kNone;
     std::vector<PocketCircle> circles = {};  ///< with PocketModel::kCircles
 
@@ -71,6 +71,6 @@ struct Table {
 [[nodiscard]] std::string_view name(Pocket pocket);
 
 /// Where the centre of a ball of the given radius (m) is when it touches the rails: |x| and |y|, m.
-[[nodiscard]] Vec2 inset(const Table& table, double radius);
+[[nodiscard]] Vec2 inset(const Table& table, Real radius);
 
 }  // namespace poolhall

@@ -5,8 +5,6 @@
 #include "shared/physics/scene.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace poolhall {
 
@@ -32,15 +30,13 @@ class Airborne {
     }
 
     /// When the ball comes down on the slate, s; infinity without gravity.
-    [[nodiscard]] double time_to_slate(const MovingBall& ball) const {
-        const double height = std::max(ball.height, 0.0);
-        const double fall = std::sqrt(ball.climb * ball.climb + 2 * gravity_ * height);
+    [[nodiscard]] Real time_to_slate(const MovingBall& ball) const {
+        const Real height = std::max(ball.height, Real{0});
+        const Real fall = sqrt(ball.climb * ball.climb + 2 * gravity_ * height);
         // Of the two ways to write the root, the one that adds.
-        if (ball.climb > 0)
-            return gravity_ > 0 ? (ball.climb + fall) / gravity_
-                                : std::numeric_limits<double>::infinity();
+        if (ball.climb > 0) return gravity_ > 0 ? (ball.climb + fall) / gravity_ : kInfinity;
         if (fall - ball.climb > 0) return 2 * height / (fall - ball.climb);
-        return std::numeric_limits<double>::infinity();
+        return kInfinity;
     }
 
     /// Whether a ball that comes to a rail passes over its nose.
@@ -49,7 +45,7 @@ class Airborne {
     }
 
     /// An explicit Euler step of dt (s), places done. True where the ball bounces.
-    [[nodiscard]] bool kick(MovingBall& ball, double dt) const {
+    [[nodiscard]] bool kick(MovingBall& ball, Real dt) const {
         if (ball.height <= 0 && ball.climb < 0) {
             ball.height = 0;
             bounce(ball);
@@ -61,24 +57,24 @@ class Airborne {
 
     /// The bounce of a ball that has come down with climb < 0.
     void bounce(MovingBall& ball) const {
-        const double impact = -ball.climb;
-        const double rebound = e_ * impact;
+        const Real impact = -ball.climb;
+        const Real rebound = e_ * impact;
         ball.climb = rebound < kLeastRebound ? 0 : rebound;
         const Vec2 slip = Sliding::slip(ball);
-        const double speed = norm(slip);
+        const Real speed = norm(slip);
         if (speed == 0) return;
-        const double friction = std::min(mu_ * (impact + ball.climb), 2 * speed / 7);
+        const Real friction = std::min(mu_ * (impact + ball.climb), 2 * speed / 7);
         Sliding::rub(ball, (friction / speed) * slip);
     }
 
   private:
     /// A rebound of this speed rises 0.02 mm, m/s.
-    static constexpr double kLeastRebound = 0.02;
+    static constexpr Real kLeastRebound = 0.02;
 
-    double e_;
-    double gravity_;
-    double mu_;
-    double rail_height_;  ///< m
+    Real e_;
+    Real gravity_;
+    Real mu_;
+    Real rail_height_;  ///< m
     bool active_;
 };
 

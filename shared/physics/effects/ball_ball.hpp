@@ -11,7 +11,7 @@ namespace poolhall {
 class BallBall {
   public:
     /// The coefficient of restitution.
-    [[nodiscard]] static double restitution(const Scene& scene) {
+    [[nodiscard]] static Real restitution(const Scene& scene) {
         return scene.effects.ball_ball.model == BallBallModel::kElastic ? 1
                                                                         : scene.effects.ball_ball.e;
     }

@@ -15,7 +15,7 @@ BallFriction::BallFriction(const BallBallSpec& spec) {
     }
 }
 
-double BallFriction::coefficient(double slip_speed) const {
+Real BallFriction::coefficient(Real slip_speed) const {
     return b_ == 0 ? a_ : a_ + b_ * elementary::exp(-c_ * slip_speed);
 }
 
@@ -26,14 +26,14 @@ Vec3 slip_velocity(Vec3 n, const ImpactBall& a, const ImpactBall& b) {
     return (v - dot(v, n) * n) + surface;
 }
 
-Vec3 friction_impulse(const BallFriction& friction, double normal_impulse, Vec3 n,
+Vec3 friction_impulse(const BallFriction& friction, Real normal_impulse, Vec3 n,
                       const ImpactBall& a, const ImpactBall& b) {
     const Vec3 slip = slip_velocity(n, a, b);
-    const double speed = norm(slip);
-    const double most = friction.coefficient(speed) * normal_impulse;
+    const Real speed = norm(slip);
+    const Real most = friction.coefficient(speed) * normal_impulse;
     // An impulse J changes the slip by J/m of translation and (R^2 / I) J = (5/2) J/m of spin, on
     // either ball: what ends it is the slip over (7/2)(1/m_a + 1/m_b).
-    const double effective_mass = 2.0 / 7 * (a.mass * b.mass) / (a.mass + b.mass);
+    const Real effective_mass = Real{2} / 7 * (a.mass * b.mass) / (a.mass + b.mass);
     if (speed * effective_mass <= most) return effective_mass * slip;
     return most / speed * slip;
 }

@@ -14,20 +14,20 @@ class BallFriction {
     explicit BallFriction(const BallBallSpec& spec);
 
     /// Of surfaces that slip on each other at `slip_speed` (m/s, not negative).
-    [[nodiscard]] double coefficient(double slip_speed) const;
+    [[nodiscard]] Real coefficient(Real slip_speed) const;
 
   private:
-    double a_ = 0;
-    double b_ = 0;
-    double c_ = 0;  ///< s/m
+    Real a_ = 0;
+    Real b_ = 0;
+    Real c_ = 0;  ///< s/m
 };
 
 /// One ball of an impact.
 struct ImpactBall {
-    Vec3 v;             ///< m/s
-    Vec3 w;             ///< rad/s
-    double radius = 0;  ///< m
-    double mass = 0;    ///< kg
+    Vec3 v;           ///< m/s
+    Vec3 w;           ///< rad/s
+    Real radius = 0;  ///< m
+    Real mass = 0;    ///< kg
 };
 
 /// What becomes of the vertical part of a friction impulse; the spins get their full share anyhow.
@@ -43,7 +43,7 @@ enum class VerticalPart : std::uint8_t {
 /// The impulse (kg m/s) of friction on b; that on a is its opposite. Against the slip of a on b,
 /// mu times `normal_impulse` (kg m/s, not negative), but no more than ends the slip: for equal
 /// balls a seventh of it times the mass (Alciatore, TP A.14; unequal ones: PHYSICS.md).
-[[nodiscard]] Vec3 friction_impulse(const BallFriction& friction, double normal_impulse, Vec3 n,
+[[nodiscard]] Vec3 friction_impulse(const BallFriction& friction, Real normal_impulse, Vec3 n,
                                     const ImpactBall& a, const ImpactBall& b);
 
 /// Gives `impulse` to b and its opposite to a, where they touch.

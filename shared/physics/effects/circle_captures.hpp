@@ -20,10 +20,10 @@ template <class Circle>
 /// circles; pocket_of(i) is the pocket of the i-th.
 template <class Circles, class PocketOf>
 [[nodiscard]] std::optional<Capture> first_capture_by(const Circles& circles, PocketOf pocket_of,
-                                                      const UniformMotion& point, double time) {
+                                                      const UniformMotion& point, Real time) {
     std::optional<Capture> first;
     for (std::size_t i = 0; i < circles.size(); ++i) {
-        const std::optional<double> t =
+        const std::optional<Real> t =
             is_in_circle(circles[i], point.r)
                 ? 0
                 : time_of_impact(point, {circles[i].centre, {}}, circles[i].radius);

@@ -16,12 +16,12 @@ class EndGamePockets {
         return scene.table.pockets == PocketModel::kEndGame;
     }
 
-    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
+    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, Real time) const {
         return active_ ? map_.first_capture(r, v, time) : std::nullopt;
     }
 
     /// Up to which |x| and |y| a centre meets none of them, m.
-    [[nodiscard]] Vec2 clear_area(double /*radius*/) const {
+    [[nodiscard]] Vec2 clear_area(Real /*radius*/) const {
         return {kNever, active_ ? map_.near_rail_y() : kNever};
     }
 

@@ -12,8 +12,8 @@ void bounce_han2005(const RailContact& rail, Vec3& v, Vec3& w) {
     j.normal = (1 + rail.e) * ball.v.y * ball.cos_theta;  // eq 17
     const Vec2 slip = ball.nose_slip();                   // eq 14
     const Vec2 direction = normalized(slip);
-    const double to_stop = dot(slip, direction) / 3.5;  // eq 16: slip changes by 7/2 of an impulse
-    const double most = rail.mu * j.normal;
+    const Real to_stop = dot(slip, direction) / 3.5;  // eq 16: slip changes by 7/2 of an impulse
+    const Real most = rail.mu * j.normal;
     j.nose = std::min(to_stop, most) * direction;  // eqs 18, 19
     apply(j, ball, rail, v, w);
 }

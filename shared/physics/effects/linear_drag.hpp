@@ -20,23 +20,23 @@ class LinearDrag {
         return scene.effects.linear_drag && scene.effects.linear_drag->k > 0;
     }
 
-    [[nodiscard]] double k() const { return k_; }  ///< 1/s
+    [[nodiscard]] Real k() const { return k_; }  ///< 1/s
 
     /// How long a ball of that speed (m/s) moves, s: ln(speed / stop speed) / k.
-    [[nodiscard]] double time_to_rest(double speed) const {
+    [[nodiscard]] Real time_to_rest(Real speed) const {
         if (k_ == 0 || stop_speed_ == 0) return kNever;
         return speed > stop_speed_ ? elementary::log(speed / stop_speed_) / k_ : 0;
     }
 
     /// The velocity (m/s) after an explicit Euler step of dt (s).
-    [[nodiscard]] Vec2 euler_step(Vec2 v, double dt) const {
+    [[nodiscard]] Vec2 euler_step(Vec2 v, Real dt) const {
         const Vec2 next = (1 - k_ * dt) * v;
         return dot(next, next) < stop_speed_ * stop_speed_ ? Vec2{} : next;
     }
 
   private:
-    double k_;           ///< 1/s
-    double stop_speed_;  ///< m/s
+    Real k_;           ///< 1/s
+    Real stop_speed_;  ///< m/s
 };
 
 }  // namespace poolhall

@@ -4,8 +4,6 @@
 #include "shared/physics/effects/rail_friction.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace poolhall {
 namespace {
@@ -14,13 +12,12 @@ using Forces = RailFriction::Forces;
 
 constexpr int kPatience = 150;    // steps of a phase; with mu up to 0.4 few take more
 constexpr int kMostSteps = 1000;  // of a phase
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// How far an impact is, in units of the speed of approach, the mass being 1. Also its derivative.
 struct Progress {
-    double normal = 0;  ///< impulse of the nose
-    Forces friction;    ///< impulses
-    double work = 0;    ///< done on the nose
+    Real normal = 0;  ///< impulse of the nose
+    Forces friction;  ///< impulses
+    Real work = 0;    ///< done on the nose
 };
 
 Forces operator+(const Forces& a, const Forces& b) {
@@ -31,21 +28,21 @@ Progress operator+(const Progress& a, const Progress& b) {
     return {a.normal + b.normal, a.friction + b.friction, a.work + b.work};
 }
 
-Progress operator*(double s, const Progress& a) {
+Progress operator*(Real s, const Progress& a) {
     return {s * a.normal, {s * a.friction.nose, s * a.friction.cloth}, s * a.work};
 }
 
-double largest(const Progress& a) {
-    return std::max({std::abs(a.normal), std::abs(a.friction.nose.x), std::abs(a.friction.nose.y),
-                     std::abs(a.friction.cloth.x), std::abs(a.friction.cloth.y), std::abs(a.work)});
+Real largest(const Progress& a) {
+    return std::max({abs(a.normal), abs(a.friction.nose.x), abs(a.friction.nose.y),
+                     abs(a.friction.cloth.x), abs(a.friction.cloth.y), abs(a.work)});
 }
 
 /// A contact at which the ball may slip: slip = start + unit * change, in a scale of its own, so
 /// that a ball that grazes the rail at 1e-300 of its speed loses nothing.
 class SlidingContact {
   public:
-    SlidingContact(Vec2 slip, double approach, double mu) : slips_(mu > 0) {
-        const double scale = std::max({std::abs(slip.x), std::abs(slip.y), approach});
+    SlidingContact(Vec2 slip, Real approach, Real mu) : slips_(mu > 0) {
+        const Real scale = std::max({abs(slip.x), abs(slip.y), approach});
         start_ = {slip.x / scale, slip.y / scale};
         unit_ = approach / scale;
     }
@@ -57,18 +54,18 @@ class SlidingContact {
     /// The direction of the last slip that could be told from rounding.
     [[nodiscard]] Vec2 last_direction() const { return direction_; }
 
-    [[nodiscard]] bool slower_than(double speed, Vec2 change) const {
+    [[nodiscard]] bool slower_than(Real speed, Vec2 change) const {
         const Vec2 now = slip(change);
         return slips_ && dot(now, now) <= speed * unit_ * speed * unit_;
     }
 
     /// Whether there is no slip that could be told from rounding, or one all but along that.
     [[nodiscard]] bool sets_out_in(Vec2 direction, Vec2 change) const {
-        constexpr double kAligned = 0.01;
+        constexpr Real kAligned = 0.01;
         const Vec2 now = slip(change);
         return slower_than(kRounding, change) ||
                (dot(now, direction) > 0 &&
-                std::abs(cross(now, direction)) < kAligned * dot(now, direction));
+                abs(cross(now, direction)) < kAligned * dot(now, direction));
     }
 
     /// In units of the approach, of a slow slip.
@@ -77,8 +74,8 @@ class SlidingContact {
     /// Where the slip all but vanishes, its last direction, so that a step may end in rest.
     [[nodiscard]] Vec2 direction(Vec2 change) const {
         const Vec2 now = slip(change);
-        const double square = dot(now, now);
-        return square > kRounding * unit_ * kRounding * unit_ ? (1 / std::sqrt(square)) * now
+        const Real square = dot(now, now);
+        return square > kRounding * unit_ * kRounding * unit_ ? (1 / sqrt(square)) * now
                                                               : direction_;
     }
 
@@ -87,22 +84,22 @@ class SlidingContact {
 
     /// The impulse after which the slip vanishes, if it goes on to change at that rate; nothing if
     /// it passes zero at a distance.
-    [[nodiscard]] double until_rest(Vec2 change, Vec2 rate) const {
-        constexpr double kAimed = 0.1;  // sine of the angle by which it misses
+    [[nodiscard]] Real until_rest(Vec2 change, Vec2 rate) const {
+        constexpr Real kAimed = 0.1;  // sine of the angle by which it misses
         const Vec2 now = slip(change);
-        const double closing = -dot(now, rate);
-        if (at_rest_ || !slips_ || !(closing > 0)) return kNever;
-        if (std::abs(cross(now, rate)) > kAimed * closing) return kNever;
+        const Real closing = -dot(now, rate);
+        if (at_rest_ || !slips_ || !(closing > 0)) return kInfinity;
+        if (abs(cross(now, rate)) > kAimed * closing) return kInfinity;
         return closing / dot(rate, rate) / unit_;
     }
 
   private:
-    static constexpr double kRounding = 1e-12;
+    static constexpr Real kRounding = 1e-12;
 
     [[nodiscard]] Vec2 slip(Vec2 change) const { return start_ + unit_ * change; }
 
     Vec2 start_;
-    double unit_ = 1;
+    Real unit_ = 1;
     Vec2 direction_;
     bool slips_;
     bool at_rest_ = false;
@@ -119,7 +116,7 @@ class Impact {
           cloth_(ball.cloth_slip(), ball.v.y, rail.mu_table) {}
 
     /// The impulses of the whole impact, in units of the speed of approach.
-    RailImpulse run(double e) {
+    RailImpulse run(Real e) {
         settle();
         rate_ = rates(at_);
         if (run_phase(&Impact::until_compressed)) {
@@ -133,12 +130,12 @@ class Impact {
     struct Step {
         Progress change;
         Progress rate;  // at its end
-        double error;
+        Real error;
     };
 
-    using UntilEnd = double (Impact::*)(const Progress&) const;
+    using UntilEnd = Real (Impact::*)(const Progress&) const;
 
-    [[nodiscard]] double approach(const Progress& at) const {
+    [[nodiscard]] Real approach(const Progress& at) const {
         return 1 + friction_.approach(at.normal, at.friction);
     }
 
@@ -162,30 +159,30 @@ class Impact {
     }
 
     /// The impulse that stops the approach, at the present rates; negative if it is past.
-    [[nodiscard]] double until_compressed(const Progress& rate) const {
-        const double braking = -friction_.approach(1, rate.friction);
-        const double v = approach(at_);
-        return braking > 0 ? v / braking : v > 0 ? kNever : 0;
+    [[nodiscard]] Real until_compressed(const Progress& rate) const {
+        const Real braking = -friction_.approach(1, rate.friction);
+        const Real v = approach(at_);
+        return braking > 0 ? v / braking : v > 0 ? kInfinity : 0;
     }
 
     /// The impulse after which the nose has given back its work; 0 if it cannot push the ball away.
-    [[nodiscard]] double until_restored(const Progress& rate) const {
-        const double left = at_.work - work_at_end_;
-        const double pushing = -cos_theta_ * friction_.approach(1, rate.friction);
-        const double v = -cos_theta_ * approach(at_);
-        const double root = std::sqrt(std::max(0.0, v * v + 2 * pushing * left));
+    [[nodiscard]] Real until_restored(const Progress& rate) const {
+        const Real left = at_.work - work_at_end_;
+        const Real pushing = -cos_theta_ * friction_.approach(1, rate.friction);
+        const Real v = -cos_theta_ * approach(at_);
+        const Real root = sqrt(std::max(Real{0}, v * v + 2 * pushing * left));
         return v + root > 0 ? 2 * left / (v + root) : 0;
     }
 
-    [[nodiscard]] double until_rest(const Progress& rate) const {
+    [[nodiscard]] Real until_rest(const Progress& rate) const {
         return std::min(nose_.until_rest(nose_slip(at_), nose_slip(rate)),
                         cloth_.until_rest(cloth_slip(at_), cloth_slip(rate)));
     }
 
     /// Where a slip creeps for long at all but no speed, precision gives way to a bounded cost.
     void coarsen() {
-        precision_.tolerance = std::min(1e-3, 10 * precision_.tolerance);
-        precision_.rest_slip = std::min(1e-3, 10 * precision_.rest_slip);
+        precision_.tolerance = std::min(Real{1e-3}, 10 * precision_.tolerance);
+        precision_.rest_slip = std::min(Real{1e-3}, 10 * precision_.rest_slip);
     }
 
     [[nodiscard]] bool wedged() const {
@@ -196,10 +193,10 @@ class Impact {
     /// False if it did not come to its end: where the ball is wedged, or friction near 1 on both
     /// sides lets it creep. Then it stays at the rail.
     bool run_phase(UntilEnd until_end) {
-        const double close = std::max(1e-10, precision_.rest_slip * precision_.rest_slip);
+        const Real close = std::max(Real{1e-10}, precision_.rest_slip * precision_.rest_slip);
         for (int i = 0; i < kMostSteps && !wedged(); ++i) {
-            const double end = (this->*until_end)(rate_);
-            if (std::abs(end) <= close) {
+            const Real end = (this->*until_end)(rate_);
+            if (abs(end) <= close) {
                 advance(end * rate_);
                 rate_ = rates(at_);
                 return true;
@@ -211,13 +208,13 @@ class Impact {
     }
 
     /// A step of at most that impulse, or nothing but a shorter step for the next time.
-    void try_step(double limit) {
-        constexpr double kShortest = 1e-12;
-        const double h = std::min({limit, step_, precision_.longest_step});
+    void try_step(Real limit) {
+        constexpr Real kShortest = 1e-12;
+        const Real h = std::min({limit, step_, precision_.longest_step});
         const Step step = dormand_prince(h);
-        const double size = std::abs(h);
-        const double fit = std::sqrt(std::sqrt(precision_.tolerance / std::max(step.error, 1e-30)));
-        const double next = size * std::clamp(0.65 * fit, 0.1, 5.0);
+        const Real size = abs(h);
+        const Real fit = sqrt(sqrt(precision_.tolerance / std::max(step.error, Real{1e-30})));
+        const Real next = size * std::clamp(0.65 * fit, Real{0.1}, Real{5});
         if (size > kShortest && leaves_rest(at_ + step.change)) {
             step_ = 0.2 * size;
         } else if (size > kShortest && step.error > precision_.tolerance) {
@@ -232,7 +229,7 @@ class Impact {
 
     [[nodiscard]] bool slips() const { return !nose_.at_rest() && !cloth_.at_rest(); }
 
-    [[nodiscard]] Step dormand_prince(double h) const;
+    [[nodiscard]] Step dormand_prince(Real h) const;
 
     void advance(const Progress& change) {
         at_ = at_ + change;
@@ -280,36 +277,41 @@ class Impact {
                (cloth_.at_rest() && !cloth_.slower_than(2 * leaving(), cloth_slip(at)));
     }
 
-    [[nodiscard]] double leaving() const { return std::max(1e-3, 10 * precision_.rest_slip); }
+    [[nodiscard]] Real leaving() const { return std::max(Real{1e-3}, 10 * precision_.rest_slip); }
 
     ImpactPrecision precision_;
-    double cos_theta_;
+    Real cos_theta_;
     RailFriction friction_;
     SlidingContact nose_;
     SlidingContact cloth_;
-    double work_at_end_ = 0;
-    double step_ = 1;
+    Real work_at_end_ = 0;
+    Real step_ = 1;
     Progress at_;
     Progress rate_;  // of change of at_
 };
 
+consteval Real ratio(int p, int q) {
+    return static_cast<Real>(p) / q;
+}
+
 /// Dormand, Prince 1980, "A family of embedded Runge-Kutta formulae", RK5(4)7M.
-Impact::Step Impact::dormand_prince(double h) const {
+Impact::Step Impact::dormand_prince(Real h) const {
     const Progress& k1 = rate_;
     const auto after = [&](const Progress& change) { return rates(at_ + h * change); };
-    const Progress k2 = after((1.0 / 5) * k1);
-    const Progress k3 = after((3.0 / 40) * k1 + (9.0 / 40) * k2);
-    const Progress k4 = after((44.0 / 45) * k1 + (-56.0 / 15) * k2 + (32.0 / 9) * k3);
-    const Progress k5 = after((19372.0 / 6561) * k1 + (-25360.0 / 2187) * k2 +
-                              (64448.0 / 6561) * k3 + (-212.0 / 729) * k4);
-    const Progress k6 = after((9017.0 / 3168) * k1 + (-355.0 / 33) * k2 + (46732.0 / 5247) * k3 +
-                              (49.0 / 176) * k4 + (-5103.0 / 18656) * k5);
-    const Progress mean = (35.0 / 384) * k1 + (500.0 / 1113) * k3 + (125.0 / 192) * k4 +
-                          (-2187.0 / 6784) * k5 + (11.0 / 84) * k6;
+    const Progress k2 = after(ratio(1, 5) * k1);
+    const Progress k3 = after(ratio(3, 40) * k1 + ratio(9, 40) * k2);
+    const Progress k4 = after(ratio(44, 45) * k1 + ratio(-56, 15) * k2 + ratio(32, 9) * k3);
+    const Progress k5 = after(ratio(19372, 6561) * k1 + ratio(-25360, 2187) * k2 +
+                              ratio(64448, 6561) * k3 + ratio(-212, 729) * k4);
+    const Progress k6 =
+        after(ratio(9017, 3168) * k1 + ratio(-355, 33) * k2 + ratio(46732, 5247) * k3 +
+              ratio(49, 176) * k4 + ratio(-5103, 18656) * k5);
+    const Progress mean = ratio(35, 384) * k1 + ratio(500, 1113) * k3 + ratio(125, 192) * k4 +
+                          ratio(-2187, 6784) * k5 + ratio(11, 84) * k6;
     const Progress k7 = after(mean);
-    const Progress error = (71.0 / 57600) * k1 + (-71.0 / 16695) * k3 + (71.0 / 1920) * k4 +
-                           (-17253.0 / 339200) * k5 + (22.0 / 525) * k6 + (-1.0 / 40) * k7;
-    return {h * mean, k7, std::abs(h) * largest(error)};
+    const Progress error = ratio(71, 57600) * k1 + ratio(-71, 16695) * k3 + ratio(71, 1920) * k4 +
+                           ratio(-17253, 339200) * k5 + ratio(22, 525) * k6 + ratio(-1, 40) * k7;
+    return {h * mean, k7, abs(h) * largest(error)};
 }
 
 }  // namespace

@@ -7,9 +7,9 @@ namespace poolhall {
 
 /// How finely an impact is integrated. All relative to the speed of approach.
 struct ImpactPrecision {
-    double longest_step = 1;  ///< of the nose's impulse
-    double tolerance = 1e-8;  ///< of the estimated error of a step
-    double rest_slip = 1e-6;  ///< a slip as slow as this ends at once, if friction can hold it
+    Real longest_step = 1;  ///< of the nose's impulse
+    Real tolerance = 1e-8;  ///< of the estimated error of a step
+    Real rest_slip = 1e-6;  ///< a slip as slow as this ends at once, if friction can hold it
 };
 
 inline constexpr ImpactPrecision kExactImpact{};

@@ -7,7 +7,6 @@
 #include "shared/table/pockets.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
 
@@ -20,7 +19,7 @@ class PocketCircles {
     explicit PocketCircles(const Scene& scene) : circles_(scene.table.circles) {
         if (!called_for(scene)) circles_ = {};
         for (const PocketCircle& circle : circles_)
-            free_y_ = std::min(free_y_, std::abs(circle.centre.y) - circle.radius);
+            free_y_ = std::min(free_y_, abs(circle.centre.y) - circle.radius);
     }
 
     [[nodiscard]] static bool called_for(const Scene& scene) {
@@ -36,15 +35,13 @@ class PocketCircles {
     }
 
     /// Up to which |x| and |y| a centre meets none of them, m.
-    [[nodiscard]] Vec2 clear_area(double /*radius*/) const {
-        return {std::numeric_limits<double>::infinity(), free_y_};
-    }
+    [[nodiscard]] Vec2 clear_area(Real /*radius*/) const { return {kInfinity, free_y_}; }
 
     /// The first capture of a ball that moves from r with velocity v, within `time` s.
-    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
+    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, Real time) const {
         // Pockets are usually at the long rails, and most ticks pass far from them.
-        constexpr double kGenerous = 1 + 0x1p-30;
-        if (kGenerous * (std::abs(r.y) + std::abs(v.y) * time) < free_y_) return std::nullopt;
+        constexpr Real kGenerous = 1 + 0x1p-30;
+        if (kGenerous * (abs(r.y) + abs(v.y) * time) < free_y_) return std::nullopt;
         return first_capture_by(circles_, pocket_of, {r, v}, time);
     }
 
@@ -60,8 +57,7 @@ class PocketCircles {
     static Pocket pocket_of(std::size_t circle) { return static_cast<Pocket>(circle); }
 
     std::span<const PocketCircle> circles_;
-    double free_y_ =
-        std::numeric_limits<double>::infinity();  ///< no circle nearer to y = 0 than this, m
+    Real free_y_ = kInfinity;  ///< no circle nearer to y = 0 than this, m
 };
 
 }  // namespace poolhall

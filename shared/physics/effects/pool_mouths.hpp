@@ -9,13 +9,12 @@
 #include "shared/table/pool_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace poolhall {
 
 struct CushionHit {
-    double t = 0;  ///< s from now
+    Real t = 0;  ///< s from now
     Rail rail = Rail::kNorth;
     Vec2 normal;  ///< unit, into the rubber
 };
@@ -44,17 +43,17 @@ class PoolMouths {
     }
 
     /// Up to which |x| and |y| the centre of a ball touches nothing of rails and holes, m.
-    [[nodiscard]] Vec2 clear_area(double radius) const {
+    [[nodiscard]] Vec2 clear_area(Real radius) const {
         const Vec2 free = active_ ? free_area() : Vec2{kNever, kNever};
         return {free.x - radius, free.y - radius};
     }
 
-    [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, double time) const {
+    [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, Real time) const {
         return may_reach(Box::around(ball.r, ball.r + time * v, ball.radius));
     }
 
     /// The first capture of a ball that moves from r with velocity v, within `time` s.
-    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, double time) const {
+    [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, Real time) const {
         if (!active_) return std::nullopt;
         const auto pocket_of = [this](std::size_t hole) { return table_.holes()[hole].pocket; };
         return first_capture_by(table_.holes(), pocket_of, {r, v}, time);
@@ -70,23 +69,21 @@ class PoolMouths {
 
     /// False for a line that a ball is behind: one in a mouth would meet noses that go on beyond
     /// their ends, and the backs of facings. `gap` (m) is how far its surface is from the line.
-    [[nodiscard]] static bool faces(double gap) { return gap >= -kTouchTolerance; }
+    [[nodiscard]] static bool faces(Real gap) { return gap >= -kTouchTolerance; }
 
     /// A dead cushion leaves nothing but rounding of what came in, m/s. No impact would end that.
-    [[nodiscard]] static double rounding_of(Vec2 v) {
-        return 0x1p-48 * (std::abs(v.x) + std::abs(v.y));
-    }
+    [[nodiscard]] static Real rounding_of(Vec2 v) { return kTouchRounding * (abs(v.x) + abs(v.y)); }
 
     /// What a ball meets first if it moves on with velocity v; of a line and an arc at once the
     /// line, at whose end they have the same normal.
     [[nodiscard]] std::optional<CushionHit> straight_hit(const MovingBall& ball, Vec2 v) const {
-        const double rounding = rounding_of(v);
+        const Real rounding = rounding_of(v);
         std::optional<CushionHit> first;
         for (const CushionLine& line : table_.lines()) {
-            const double closing = dot(v, line.normal);
-            const double gap = dot(line.from - ball.r, line.normal) - ball.radius;
+            const Real closing = dot(v, line.normal);
+            const Real gap = dot(line.from - ball.r, line.normal) - ball.radius;
             if (closing <= rounding || !faces(gap)) continue;
-            const double t = gap <= 0 ? 0 : gap / closing;
+            const Real t = gap <= 0 ? 0 : gap / closing;
             if ((!first || t < first->t) && within(line, ball.r + t * v))
                 first = CushionHit{t, line.rail, line.normal};
         }

@@ -8,13 +8,13 @@ namespace poolhall {
 /// its side, 0 < nose_height < 2 radius, and 0 <= e <= 1, 0 <= mu, mu_table: Scene's check sees to
 /// it. The models of rails have no effect on a ball that does not approach, and leave v.z alone.
 struct RailContact {
-    Vec2 normal;             ///< unit, in the plane, from the table into the rail
-    double radius = 0;       ///< m
-    double mass = 0;         ///< kg
-    double nose_height = 0;  ///< of the rail's nose above the cloth, m
-    double e = 1;            ///< coefficient of restitution
-    double mu = 0;           ///< friction between ball and rail
-    double mu_table = 0;     ///< friction between ball and cloth, 0 if none
+    Vec2 normal;           ///< unit, in the plane, from the table into the rail
+    Real radius = 0;       ///< m
+    Real mass = 0;         ///< kg
+    Real nose_height = 0;  ///< of the rail's nose above the cloth, m
+    Real e = 1;            ///< coefficient of restitution
+    Real mu = 0;           ///< friction between ball and rail
+    Real mu_table = 0;     ///< friction between ball and cloth, 0 if none
 };
 
 }  // namespace poolhall

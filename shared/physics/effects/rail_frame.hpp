@@ -4,15 +4,14 @@
 #include "shared/physics/effects/rail_contact.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace poolhall {
 
 /// What a rail and the cloth give to a ball in an impact, per mass of the ball, m/s.
 struct RailImpulse {
-    double normal = 0;  ///< of the nose, from it to the ball's centre
-    Vec2 nose;          ///< taken away by friction at the nose: x along the rail, y up its face
-    Vec2 cloth;         ///< taken away by friction at the cloth: x along the rail, y into it
+    Real normal = 0;  ///< of the nose, from it to the ball's centre
+    Vec2 nose;        ///< taken away by friction at the nose: x along the rail, y up its face
+    Vec2 cloth;       ///< taken away by friction at the cloth: x along the rail, y into it
 };
 
 /// A ball at a rail in the rail's frame: x along it, y into it, z up, right-handed. The nose
@@ -22,14 +21,14 @@ struct RailImpulse {
 /// The ball stays on the cloth: the slate takes the vertical impulse, or gravity where it points
 /// up, at no loss of energy.
 struct BallAtRail {
-    double sin_theta = 0;
-    double cos_theta = 1;
+    Real sin_theta = 0;
+    Real cos_theta = 1;
     Vec2 v;
     Vec3 spin;
 
     BallAtRail(const RailContact& rail, const Vec3& velocity, const Vec3& w)
-        : sin_theta(std::clamp(rail.nose_height / rail.radius - 1, -1.0, 1.0)),
-          cos_theta(std::sqrt((1 - sin_theta) * (1 + sin_theta))),
+        : sin_theta(std::clamp(rail.nose_height / rail.radius - 1, Real{-1}, Real{1})),
+          cos_theta(sqrt((1 - sin_theta) * (1 + sin_theta))),
           v{along(rail, xy(velocity)), dot(rail.normal, xy(velocity))},
           spin{rail.radius * along(rail, xy(w)), rail.radius * dot(rail.normal, xy(w)),
                rail.radius * w.z} {}
@@ -55,10 +54,10 @@ struct BallAtRail {
     }
 
     /// The component along the rail of a vector in the plane.
-    static double along(const RailContact& rail, Vec2 a) { return cross(a, rail.normal); }
+    static Real along(const RailContact& rail, Vec2 a) { return cross(a, rail.normal); }
 
     /// The vector in the plane that has these components along and into the rail.
-    static Vec2 in_plane(const RailContact& rail, double along, double into) {
+    static Vec2 in_plane(const RailContact& rail, Real along, Real into) {
         return {along * rail.normal.y + into * rail.normal.x,
                 into * rail.normal.y - along * rail.normal.x};
     }

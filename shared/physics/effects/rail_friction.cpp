@@ -5,8 +5,8 @@ namespace poolhall {
 RailFriction::Forces RailFriction::cloth_at_rest(Vec2 nose) const {
     const Vec2 at_nose = mu_nose_ * nose;
     const Vec2 needed = needed_at_cloth(at_nose);
-    const double has = mu_cloth_ * load(at_nose);
-    const double size = norm(needed);
+    const Real has = mu_cloth_ * load(at_nose);
+    const Real size = norm(needed);
     return {at_nose, size > has ? (has / size) * needed : needed};
 }
 
@@ -31,14 +31,14 @@ RailFriction::Forces RailFriction::stop_nose(Vec2 slip, Vec2 cloth) const {
     return {impulse, (c_ * impulse.y) * per_load};
 }
 
-Vec2 RailFriction::needed_at_nose(Vec2 cloth_per_load, double damping) const {
+Vec2 RailFriction::needed_at_nose(Vec2 cloth_per_load, Real damping) const {
     const Vec2 drive = nose_slip(1, {{}, s_ * cloth_per_load});
     return nose_friction(drive, cloth_per_load, damping);
 }
 
-Vec2 RailFriction::nose_friction(Vec2 slip, Vec2 cloth_per_load, double damping) const {
-    const double yy = 2.5 + s_ * s_ + (2.5 - s_) * c_ * cloth_per_load.y;
-    const double y = slip.y / (yy + damping);
+Vec2 RailFriction::nose_friction(Vec2 slip, Vec2 cloth_per_load, Real damping) const {
+    const Real yy = 2.5 + s_ * s_ + (2.5 - s_) * c_ * cloth_per_load.y;
+    const Real y = slip.y / (yy + damping);
     return {(slip.x - (1 - 2.5 * s_) * c_ * cloth_per_load.x * y) / (3.5 + damping), y};
 }
 
@@ -48,12 +48,12 @@ Vec2 RailFriction::nose_friction(Vec2 slip, Vec2 cloth_per_load, double damping)
 // (mu near 1) can make M singular: start beyond that.
 Vec2 RailFriction::limited_at_nose(Vec2 cloth_per_load) const {
     constexpr int kIterations = 6;
-    double damping = std::max(0.0, -2 - (2.5 - s_) * c_ * cloth_per_load.y);
+    Real damping = std::max(Real{0}, -2 - (2.5 - s_) * c_ * cloth_per_load.y);
     Vec2 f = needed_at_nose(cloth_per_load, damping);
-    double size = norm(f);
+    Real size = norm(f);
     if (size <= mu_nose_) return f;
     for (int i = 0; i < kIterations; ++i) {
-        const double slope = dot(f, nose_friction(f, cloth_per_load, damping));
+        const Real slope = dot(f, nose_friction(f, cloth_per_load, damping));
         damping += size * size * (size - mu_nose_) / (mu_nose_ * slope);
         f = needed_at_nose(cloth_per_load, damping);
         size = norm(f);

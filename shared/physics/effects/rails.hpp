@@ -3,14 +3,12 @@
 #include "shared/physics/moving_ball.hpp"
 #include "shared/physics/scene.hpp"
 
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace poolhall {
 
 struct RailHit {
-    double t = 0;  ///< s from now
+    Real t = 0;  ///< s from now
     Rail rail = Rail::kNorth;
 };
 
@@ -19,7 +17,7 @@ class Rails {
   public:
     explicit Rails(const Scene& scene)
         : nose_(called_for(scene) ? Vec2{scene.table.length / 2, scene.table.width / 2}
-                                  : Vec2{kNever, kNever}) {}
+                                  : Vec2{kInfinity, kInfinity}) {}
 
     [[nodiscard]] static bool called_for(const Scene& scene) {
         return scene.table.rails && scene.table.pockets != PocketModel::kPool;
@@ -27,43 +25,43 @@ class Rails {
 
     /// When a ball at x with velocity v reaches +-edge; nothing if it does not move towards one. 0
     /// if it is there already.
-    [[nodiscard]] static std::optional<double> time_to(double x, double v, double edge) {
+    [[nodiscard]] static std::optional<Real> time_to(Real x, Real v, Real edge) {
         if (v == 0) return std::nullopt;
-        const double way = v > 0 ? edge - x : edge + x;
+        const Real way = v > 0 ? edge - x : edge + x;
         return way <= 0 ? 0 : way / (v > 0 ? v : -v);
     }
 
     /// False where the ball is far from reaching any rail within `time` s: most of them, most of
     /// the time, so it costs no division. Wider than any rounding.
-    [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, double time) const {
-        constexpr double kGenerous = 1 + 0x1p-30;
+    [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, Real time) const {
+        constexpr Real kGenerous = 1 + 0x1p-30;
         const Vec2 edge = this->edge(ball.radius);
-        return kGenerous * (std::abs(ball.r.x) + std::abs(v.x) * time) >= edge.x ||
-               kGenerous * (std::abs(ball.r.y) + std::abs(v.y) * time) >= edge.y;
+        return kGenerous * (abs(ball.r.x) + abs(v.x) * time) >= edge.x ||
+               kGenerous * (abs(ball.r.y) + abs(v.y) * time) >= edge.y;
     }
 
     /// Up to which |x| and |y| a centre meets no rail, m.
-    [[nodiscard]] Vec2 clear_area(double radius) const { return edge(radius); }
+    [[nodiscard]] Vec2 clear_area(Real radius) const { return edge(radius); }
 
     /// When the ball reaches a short rail (x) or a long rail (y).
     [[nodiscard]] std::optional<RailHit> next_short_rail(const MovingBall& ball, Vec2 v) const {
-        const std::optional<double> t = time_to(ball.r.x, v.x, edge(ball.radius).x);
+        const std::optional<Real> t = time_to(ball.r.x, v.x, edge(ball.radius).x);
         if (!t) return std::nullopt;
         return RailHit{*t, v.x > 0 ? Rail::kEast : Rail::kWest};
     }
 
     [[nodiscard]] std::optional<RailHit> next_long_rail(const MovingBall& ball, Vec2 v) const {
-        const std::optional<double> t = time_to(ball.r.y, v.y, edge(ball.radius).y);
+        const std::optional<Real> t = time_to(ball.r.y, v.y, edge(ball.radius).y);
         if (!t) return std::nullopt;
         return RailHit{*t, v.y > 0 ? Rail::kNorth : Rail::kSouth};
     }
 
-    /// |x| and |y| of a ball of that radius that touches the rails, m.
-    [[nodiscard]] Vec2 edge(double radius) const { return {nose_.x - radius, nose_.y - radius}; }
+    /// |x| and |y| of a ball of that radius that touches the rails, m: doubles, as scenes say.
+    [[nodiscard]] Vec2 edge(Real radius) const {
+        return {static_cast<double>(nose_.x - radius), static_cast<double>(nose_.y - radius)};
+    }
 
   private:
-    static constexpr double kNever = std::numeric_limits<double>::infinity();
-
     Vec2 nose_;  ///< |x| and |y| of the noses, m
 };
 

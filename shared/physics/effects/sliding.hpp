@@ -28,21 +28,21 @@ class Sliding {
     }
 
     /// The spin about the horizontal axes with which a ball rolls, rad/s.
-    [[nodiscard]] static Vec2 rolling_spin(Vec2 v, double radius) {
+    [[nodiscard]] static Vec2 rolling_spin(Vec2 v, Real radius) {
         return {-v.y / radius, v.x / radius};
     }
 
     /// The velocity at which the slip has gone, whatever mu is: v - 2/7 u.
-    [[nodiscard]] static Vec2 velocity_after(Vec2 v, Vec2 slip) { return v - (2.0 / 7) * slip; }
+    [[nodiscard]] static Vec2 velocity_after(Vec2 v, Vec2 slip) { return v - (Real{2} / 7) * slip; }
 
-    [[nodiscard]] double deceleration() const { return mu_g_; }  ///< m/s^2
+    [[nodiscard]] Real deceleration() const { return mu_g_; }  ///< m/s^2
 
     /// How long a slip of this speed (m/s) lasts, s.
-    [[nodiscard]] double duration(double slip_speed) const { return 2 * slip_speed / (7 * mu_g_); }
+    [[nodiscard]] Real duration(Real slip_speed) const { return 2 * slip_speed / (7 * mu_g_); }
 
     /// Angular acceleration, rad/s^2, for a slip along the unit vector.
-    [[nodiscard]] Vec2 spin_rate(Vec2 slip_direction, double radius) const {
-        const double rate = 5 * mu_g_ / (2 * radius);
+    [[nodiscard]] Vec2 spin_rate(Vec2 slip_direction, Real radius) const {
+        const Real rate = 5 * mu_g_ / (2 * radius);
         return {-rate * slip_direction.y, rate * slip_direction.x};
     }
 
@@ -50,17 +50,17 @@ class Sliding {
     /// changes with it.
     static void rub(MovingBall& ball, Vec2 impulse) {
         ball.v = ball.v - impulse;
-        const double turn = 5 / (2 * ball.radius);
+        const Real turn = 5 / (2 * ball.radius);
         ball.w.x = ball.w.x - turn * impulse.y;
         ball.w.y = ball.w.y + turn * impulse.x;
     }
 
     /// An explicit Euler step of dt (s) of a ball that slips. The slip never turns round: where it
     /// would, the ball rolls from here on, and the step says true.
-    [[nodiscard]] bool kick(MovingBall& ball, double dt) const {
+    [[nodiscard]] bool kick(MovingBall& ball, Real dt) const {
         const Vec2 u = slip(ball);
-        const double speed = norm(u);
-        const double lost = mu_g_ * dt;
+        const Real speed = norm(u);
+        const Real lost = mu_g_ * dt;
         if (7 * lost >= 2 * speed) {
             ball.v = velocity_after(ball.v, u);
             return true;
@@ -71,7 +71,7 @@ class Sliding {
     }
 
   private:
-    double mu_g_;  ///< m/s^2
+    Real mu_g_;  ///< m/s^2
 };
 
 }  // namespace poolhall

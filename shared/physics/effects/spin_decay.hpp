@@ -19,17 +19,17 @@ class SpinDecay {
     [[nodiscard]] bool active() const { return mu_g_ > 0; }
 
     /// rad/s^2
-    [[nodiscard]] double rate(double radius) const { return 5 * mu_g_ / (2 * radius); }
+    [[nodiscard]] Real rate(Real radius) const { return 5 * mu_g_ / (2 * radius); }
 
     /// The spin wz (rad/s) after dt (s).
-    [[nodiscard]] double after(double spin, double radius, double dt) const {
-        const double lost = rate(radius) * dt;
+    [[nodiscard]] Real after(Real spin, Real radius, Real dt) const {
+        const Real lost = rate(radius) * dt;
         if (spin > lost) return spin - lost;
         return spin < -lost ? spin + lost : 0;
     }
 
   private:
-    double mu_g_;  ///< m/s^2
+    Real mu_g_;  ///< m/s^2
 };
 
 }  // namespace poolhall

@@ -23,21 +23,21 @@ class Chords {
         tick_end_ = 0;
     }
 
-    void begin_tick(double begin, double end) {
+    void begin_tick(Real begin, Real end) {
         tick_end_ = end;
         for (std::size_t i = 0; i < chords_.size(); ++i)
             aim(i, begin);
     }
 
     /// From where ball i is on its arc at `from` (s) on, as far as it goes in this tick.
-    void aim(std::size_t i, double from) {
+    void aim(std::size_t i, Real from) {
         chords_[i].from = from;
         end_at(i, std::min(tick_end_, work_.arcs[i].until));
     }
 
     /// From where ball i is now on, up to `end` (s) at most. Its arc is moved to there: by less
     /// than a chord's height, an error of second order.
-    void renew(std::size_t i, double now, double end) {
+    void renew(std::size_t i, Real now, Real end) {
         if (!moves_centre(work_.balls[i].motion)) return;
         Chord& chord = chords_[i];
         if (chord.from != now) {
@@ -56,10 +56,10 @@ class Chords {
     }
 
     /// How long from `now` (s) until a chord that ends before the tick does; kNever for another.
-    [[nodiscard]] double ends_within_tick(std::size_t i, double now) const {
+    [[nodiscard]] Real ends_within_tick(std::size_t i, Real now) const {
         const Chord& chord = chords_[i];
         if (chord.to >= tick_end_ && chord.to < work_.arcs[i].until) return kNever;
-        return std::max(chord.to - now, 0.0);
+        return std::max(chord.to - now, Real{0});
     }
 
     [[nodiscard]] bool ends_with_arc(std::size_t i) const {
@@ -74,32 +74,32 @@ class Chords {
     /// For a contact of chords t s from `now` (s) at which the bodies do not approach by their
     /// arcs: up to when chords that begin now may go, so that they do not lead through each other.
     /// kNever for a true contact.
-    [[nodiscard]] double end_of_false_contact(const Contact& contact, double now, double t) const {
+    [[nodiscard]] Real end_of_false_contact(const Contact& contact, Real now, Real t) const {
         const Vec3 n = towards(contact, t);
-        const double approach = approach_of(contact, n, now + t);
+        const Real approach = approach_of(contact, n, now + t);
         if (approach > 0 && !fly_apart(contact.a, contact.b)) return kNever;
-        const double end = std::min(end_of(contact.a), end_of(contact.b));
+        const Real end = std::min(end_of(contact.a), end_of(contact.b));
         // What chords of different stretches of time say of each other means little.
         if (!begins_at(contact.a, now) || !begins_at(contact.b, now) ||
             !cover_the_same_time(contact.a, contact.b))
             return end;
         // Approach is linear in time, and positive in the middle of the chords: it has a root
         // between that and t.
-        const double root = now + (t - approach / growth_of(contact, n));
+        const Real root = now + (t - approach / growth_of(contact, n));
         return root > now + kShortest && root < end ? root : kNever;
     }
 
   private:
     /// What parts so slowly that it would come back sooner than this (s) counts as pressed
     /// together, and is parted as an impact (SlowImpacts in contact.hpp).
-    static constexpr double kShortest = 1e-9;
+    static constexpr Real kShortest = 1e-9;
 
     /// When the chord ends, s; a ball that stays where it is has no need of one.
-    [[nodiscard]] double end_of(std::size_t i) const {
+    [[nodiscard]] Real end_of(std::size_t i) const {
         return moves_centre(work_.balls[i].motion) ? chords_[i].to : tick_end_;
     }
 
-    [[nodiscard]] bool begins_at(std::size_t i, double t) const {
+    [[nodiscard]] bool begins_at(std::size_t i, Real t) const {
         return !moves_centre(work_.balls[i].motion) || chords_[i].from == t;
     }
 
@@ -116,7 +116,7 @@ class Chords {
 
     /// The chord's velocity is the mean velocity: as a difference of places it would be nothing but
     /// rounding when the time is short.
-    void end_at(std::size_t i, double to) {
+    void end_at(std::size_t i, Real to) {
         Chord& chord = chords_[i];
         chord.to = to;
         chord.v = {};
@@ -124,7 +124,7 @@ class Chords {
         const Arc& arc = work_.arcs[i];
         if (to <= chord.from || !moves_centre(ball.motion)) return;
         if (arc.drag > 0) {
-            const double time = to - chord.from;
+            const Real time = to - chord.from;
             chord.v = (way_under_drag(arc.drag, time) / time) * velocity(i, chord.from - arc.since);
         } else {
             chord.v = velocity(i, (chord.from - arc.since) / 2 + (to - arc.since) / 2);
@@ -132,7 +132,7 @@ class Chords {
     }
 
     /// Of ball i, `time` s after its arc's beginning; m/s.
-    [[nodiscard]] Vec3 velocity(std::size_t i, double time) const {
+    [[nodiscard]] Vec3 velocity(std::size_t i, Real time) const {
         const MovingBall& ball = work_.launched[i];
         const Arc& arc = work_.arcs[i];
         if (arc.drag > 0) {
@@ -144,17 +144,17 @@ class Chords {
     }
 
     /// From the contact's first body to the second, along their chords t s from now.
-    [[nodiscard]] Vec3 towards(const Contact& contact, double t) const {
+    [[nodiscard]] Vec3 towards(const Contact& contact, Real t) const {
         if (contact.kind == Contact::Kind::kRail) return {contact.normal.x, contact.normal.y, 0};
         const MovingBall& a = work_.balls[contact.a];
         const MovingBall& b = work_.balls[contact.b];
         const Vec2 c = b.r - a.r;
-        const double rise = (b.height - a.height) + (b.radius - a.radius);
+        const Real rise = (b.height - a.height) + (b.radius - a.radius);
         return Vec3{c.x, c.y, rise} + t * (drift(contact.b) - drift(contact.a));
     }
 
     /// How fast the contact's bodies approach by their arcs at a time (s), times |n|.
-    [[nodiscard]] double approach_of(const Contact& contact, Vec3 n, double at) const {
+    [[nodiscard]] Real approach_of(const Contact& contact, Vec3 n, Real at) const {
         const auto along = [&](std::size_t i) {
             return dot(velocity(i, at - work_.arcs[i].since), n);
         };
@@ -163,7 +163,7 @@ class Chords {
     }
 
     /// How fast that grows; of arcs without drag.
-    [[nodiscard]] double growth_of(const Contact& contact, Vec3 n) const {
+    [[nodiscard]] Real growth_of(const Contact& contact, Vec3 n) const {
         const auto along = [&](std::size_t i) {
             const Arc& arc = work_.arcs[i];
             return dot(Vec3{arc.a.x, arc.a.y, -arc.gravity}, n);
@@ -174,7 +174,7 @@ class Chords {
 
     Workspace& work_;
     std::vector<Chord>& chords_;
-    double tick_end_ = 0;  ///< s
+    Real tick_end_ = 0;  ///< s
 };
 
 }  // namespace poolhall

@@ -6,7 +6,6 @@
 #include "shared/physics/solvers/own_event_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace poolhall {
@@ -34,7 +33,7 @@ class EventSolver {
 
   private:
     /// The clock is set back when it shows this, s.
-    static constexpr double kEpoch = 1;
+    static constexpr Real kEpoch = 1;
 
     void begin() {
         const std::size_t n = balls_.size();
@@ -63,7 +62,7 @@ class EventSolver {
         int at_once = 0;
         while (true) {
             const Soonest::Found due = work_.due.find();
-            const double end = limits.time - epoch_;
+            const Real end = limits.time - epoch_;
             if (due.t == kNever && !run_.any_moves()) {
                 run_.sample_at(time());
                 return Outcome::kRest;
@@ -80,12 +79,12 @@ class EventSolver {
     }
 
     /// s since the shot's beginning.
-    [[nodiscard]] double time() const { return epoch_ + now_; }
+    [[nodiscard]] Real time() const { return epoch_ + now_; }
 
     /// Sets the clock back by whole seconds, which are exact: an instant late in a long shot would
     /// be rounded to 1e-11 s, and a million bounces add that up.
     void begin_epoch() {
-        const auto passed = static_cast<double>(static_cast<std::int64_t>(now_));
+        const auto passed = static_cast<Real>(static_cast<std::int64_t>(now_));
         epoch_ += passed;
         now_ -= passed;
         for (std::size_t i = 0; i < balls_.size(); ++i) {
@@ -100,9 +99,9 @@ class EventSolver {
             plan(i);
     }
 
-    void sample_before(double t) {
+    void sample_before(Real t) {
         while (run_.next_sample() - epoch_ < t) {
-            const double at = run_.next_sample() - epoch_;
+            const Real at = run_.next_sample() - epoch_;
             run_.sample([&](std::size_t i) {
                 const MovingBall& ball = balls_[i];
                 if (!in_play(ball) || ball.motion == Motion::kStationary)
@@ -114,7 +113,7 @@ class EventSolver {
     }
 
     /// Brings all balls to t, where the shot is cut off.
-    Outcome stop_at(double t, Outcome outcome) {
+    Outcome stop_at(Real t, Outcome outcome) {
         for (std::size_t i = 0; i < balls_.size(); ++i) {
             if (in_play(balls_[i])) advance(balls_[i], work_.arcs[i], t);
         }
@@ -152,7 +151,7 @@ class EventSolver {
         const Course& course = work_.courses[i];
         work_.reach.for_each_overlap(i, from, [&](std::size_t j) {
             if (!may_meet(course, work_.courses[j], now_)) return;
-            const double t = now_ + meeting(i, j);
+            const Real t = now_ + meeting(i, j);
             if (t == kNever) return;
             work_.pairs.set(i, j, t);
             plan(j);
@@ -165,10 +164,10 @@ class EventSolver {
 
     /// In how many s ball i, whose arc begins now, meets ball j, if it is before either's own
     /// event.
-    [[nodiscard]] double meeting(std::size_t i, std::size_t j) const {
+    [[nodiscard]] Real meeting(std::size_t i, std::size_t j) const {
         const MovingBall& a = balls_[i];
         const MovingBall& b = balls_[j];
-        const double horizon = std::min(work_.own[i].t, work_.own[j].t) - now_;
+        const Real horizon = std::min(work_.own[i].t, work_.own[j].t) - now_;
         if constexpr (Set::template kHas<Airborne>) {
             if (a.motion == Motion::kAirborne || b.motion == Motion::kAirborne)
                 return meeting_in_air(i, j, horizon);
@@ -177,9 +176,9 @@ class EventSolver {
         const bool b_moves = moves_centre(b.motion);
         if (!a_moves && !b_moves) return kNever;
         const RelativeArc<Vec2> arc = relative_arc(i, j, b_moves);
-        const double distance = contact_distance(a, b);
+        const Real distance = contact_distance(a, b);
         if (rest_against(i, j, arc, distance)) return kNever;
-        const double drag = std::max(work_.arcs[i].drag, work_.arcs[j].drag);
+        const Real drag = std::max(work_.arcs[i].drag, work_.arcs[j].drag);
         if (drag > 0) return time_under_drag_until(arc, drag, distance, horizon);
         // Straight on, and slower and slower.
         if ((!b_moves && a.motion == Motion::kRolling) ||
@@ -199,17 +198,17 @@ class EventSolver {
     }
 
     /// Under drag all balls move uniformly on a clock that they share.
-    [[nodiscard]] static double time_under_drag_until(const RelativeArc<Vec2>& arc, double drag,
-                                                      double distance, double horizon) {
-        const double t =
+    [[nodiscard]] static Real time_under_drag_until(const RelativeArc<Vec2>& arc, Real drag,
+                                                    Real distance, Real horizon) {
+        const Real t =
             time_under_drag(drag, first_contact_straight(arc.c, arc.v, 0, distance, kNever));
         return t <= horizon ? t : kNever;
     }
 
-    [[nodiscard]] double meeting_in_air(std::size_t i, std::size_t j, double horizon) const {
+    [[nodiscard]] Real meeting_in_air(std::size_t i, std::size_t j, Real horizon) const {
         const MovingBall a = ball_on(balls_[i], work_.arcs[i], now_);
         const MovingBall b = ball_on(balls_[j], work_.arcs[j], now_);
-        const double rise = (b.radius + b.height) - (a.radius + a.height);
+        const Real rise = (b.radius + b.height) - (a.radius + a.height);
         const Vec2 c = b.r - a.r;
         const Vec2 v = b.v - a.v;
         const Vec2 acceleration = work_.arcs[j].a - work_.arcs[i].a;
@@ -217,20 +216,19 @@ class EventSolver {
             {c.x, c.y, rise},
             {v.x, v.y, b.climb - a.climb},
             {acceleration.x, acceleration.y, work_.arcs[i].gravity - work_.arcs[j].gravity}};
-        const double distance = a.radius + b.radius;
+        const Real distance = a.radius + b.radius;
         return first_contact(arc, distance, horizon);
     }
 
     /// True for balls that touch, are not pressed together, and approach no more than rounding
     /// makes them: partners of an impact without friction, balls between dead rails.
     [[nodiscard]] bool rest_against(std::size_t i, std::size_t j, const RelativeArc<Vec2>& arc,
-                                    double distance) const {
-        constexpr double kRounding = 0x1p-48;
+                                    Real distance) const {
         if (arc.a == Vec2{} && balls_[i].partner == j && balls_[j].partner == i) return true;
-        if (dot(arc.c, arc.c) > (1 + kRounding) * distance * distance) return false;
+        if (dot(arc.c, arc.c) > (1 + kTouchRounding) * distance * distance) return false;
         if (dot(arc.c, arc.a) < 0) return false;
-        const double speed = norm(balls_[i].v) + norm(balls_[j].v);
-        return -dot(arc.c, arc.v) <= kRounding * distance * speed;
+        const Real speed = norm(balls_[i].v) + norm(balls_[j].v);
+        return -dot(arc.c, arc.v) <= kTouchRounding * distance * speed;
     }
 
     // --- letting it happen -------------------------------------------------------------------
@@ -317,7 +315,7 @@ class EventSolver {
     }
 
     void add_pairs(std::size_t i) {
-        work_.pairs.for_each_partner(i, [&](std::size_t j, double t) {
+        work_.pairs.for_each_partner(i, [&](std::size_t j, Real t) {
             if (j > i && t == now_) work_.contacts.push_back(ball_contact(i, j));
         });
     }
@@ -359,8 +357,8 @@ class EventSolver {
     std::vector<MovingBall>& balls_;
     Cloth<Set> cloth_;
     Workspace& work_;
-    double epoch_ = 0;  ///< whole s since the shot's beginning, at which the clock was 0
-    double now_ = 0;    ///< the clock, s; so are all times in the workspace
+    Real epoch_ = 0;  ///< whole s since the shot's beginning, at which the clock was 0
+    Real now_ = 0;    ///< the clock, s; so are all times in the workspace
 };
 
 }  // namespace poolhall

@@ -42,24 +42,24 @@ class ExactArcSolver {
         search_.begin_shot();
         run_ticks(
             run_, [this] { return !work_.stepping.moving.empty(); },
-            [this](double begin, double end) { return tick(begin, end); });
+            [this](Real begin, Real end) { return tick(begin, end); });
     }
 
   private:
     /// One tick from `begin` to `end`, in s. kRest means that it went well.
-    Outcome tick(double begin, double end) {
-        const double dt = end - begin;
-        double passed = 0;
+    Outcome tick(Real begin, Real end) {
+        const Real dt = end - begin;
+        Real passed = 0;
         chords_.begin_tick(begin, end);
         for (int round = 0; round < kMaxContactsPerTick; ++round) {
             if (run_.event_limit_reached()) return Outcome::kEventLimit;
-            const double rest = std::max(dt - passed, 0.0);
-            const double now = begin + passed;
+            const Real rest = std::max(dt - passed, Real{0});
+            const Real now = begin + passed;
             find_first(now, rest);
-            const double next = search_.first();
+            const Real next = search_.first();
             if (next <= rest && renew_chords(now, next)) continue;
             run_.sample_before(std::min(now + std::min(next, rest), end), now,
-                               [this](std::size_t i, double time) { return place_after(i, time); });
+                               [this](std::size_t i, Real time) { return place_after(i, time); });
             if (next > rest) {
                 arrive(end);
                 search_.claim_boxes(dt);
@@ -74,18 +74,18 @@ class ExactArcSolver {
         return Outcome::kStalled;
     }
 
-    void find_first(double now, double time) {
+    void find_first(Real now, Real time) {
         search_.begin(time);
         for (const std::size_t i : work_.stepping.moving) {
-            const double t = chords_.ends_within_tick(i, now);
+            const Real t = chords_.ends_within_tick(i, now);
             if (t <= time && search_.is_first(t)) work_.transitions.push_back(i);
         }
         search_.look();
     }
 
     /// Takes the chords of false contacts anew. False if there is none.
-    bool renew_chords(double now, double t) {
-        std::vector<double>& ends = work_.stepping.ends;
+    bool renew_chords(Real now, Real t) {
+        std::vector<Real>& ends = work_.stepping.ends;
         ends.clear();
         for (const Contact& contact : work_.contacts)
             ends.push_back(chords_.end_of_false_contact(contact, now, t));
@@ -99,7 +99,7 @@ class ExactArcSolver {
         return any;
     }
 
-    [[nodiscard]] Vec3 place_after(std::size_t i, double time) const {
+    [[nodiscard]] Vec3 place_after(std::size_t i, Real time) const {
         const MovingBall& ball = balls_[i];
         const Vec3 way = time * chords_.drift(i);
         if constexpr (Set::template kHas<Airborne>)
@@ -107,7 +107,7 @@ class ExactArcSolver {
         return {ball.r.x + way.x, ball.r.y + way.y, ball.height};
     }
 
-    void advance(double time) {
+    void advance(Real time) {
         for (const std::size_t i : work_.stepping.moving) {
             const Vec3 place = place_after(i, time);
             balls_[i].r = xy(place);
@@ -116,7 +116,7 @@ class ExactArcSolver {
     }
 
     /// Every ball at `t`, the end of the time looked at, as its arc has it.
-    void arrive(double t) {
+    void arrive(Real t) {
         for (const std::size_t i : work_.stepping.moving) {
             const std::size_t partner = balls_[i].partner;
             balls_[i] = ball_on(work_.launched[i], work_.arcs[i], t);
@@ -126,7 +126,7 @@ class ExactArcSolver {
         }
     }
 
-    void launch(std::size_t i, double t) {
+    void launch(std::size_t i, Real t) {
         work_.launched[i] = balls_[i];
         work_.arcs[i] = cloth_.arc_of(balls_[i], t);
         chords_.aim(i, t);
@@ -134,7 +134,7 @@ class ExactArcSolver {
 
     /// Lets happen what the search found: ends of chords, or else captures, or else the contacts as
     /// one group. What is left is found again, 0 s from here.
-    bool happen(double t) {
+    bool happen(Real t) {
         bool settled = true;
         if (!work_.transitions.empty()) {
             for (const std::size_t i : work_.transitions)
@@ -149,7 +149,7 @@ class ExactArcSolver {
         return settled;
     }
 
-    void end_chord(std::size_t i, double t) {
+    void end_chord(std::size_t i, Real t) {
         if (!chords_.ends_with_arc(i)) {
             chords_.aim(i, t);
             return;
@@ -161,7 +161,7 @@ class ExactArcSolver {
         launch(i, t);
     }
 
-    bool collide(double t) {
+    bool collide(Real t) {
         for (const Contact& contact : work_.contacts) {
             prepare_for_impact(contact.a, t);
             prepare_for_impact(contact.b, t);
@@ -176,7 +176,7 @@ class ExactArcSolver {
 
     /// Velocities and spins as they are at t; places stay on the chord, where the contact was
     /// found.
-    void prepare_for_impact(std::size_t i, double t) {
+    void prepare_for_impact(std::size_t i, Real t) {
         MovingBall& ball = balls_[i];
         if (ball.motion == Motion::kStationary) return;
         const MovingBall found = ball;

@@ -12,7 +12,7 @@ namespace poolhall {
 
 /// Balls that are above the rails when they get there are off the table.
 template <class Set>
-void lose_balls_over_rails(const Set& set, ShotRun& run, double t) {
+void lose_balls_over_rails(const Set& set, ShotRun& run, Real t) {
     if constexpr (Set::template kHas<Airborne>) {
         const Airborne& airborne = set.template effect<Airborne>();
         std::vector<MovingBall>& balls = run.balls();
@@ -68,7 +68,7 @@ inline void note_partners(const std::vector<Contact>& contacts, std::vector<Movi
 /// Lets the workspace's contacts, whose balls are as they are at t, happen as one group, and
 /// records them. False if they do not settle.
 template <class Set>
-bool resolve_contacts(const Set& set, const Cloth<Set>& cloth, ShotRun& run, double t) {
+bool resolve_contacts(const Set& set, const Cloth<Set>& cloth, ShotRun& run, Real t) {
     Workspace& work = run.workspace();
     std::vector<MovingBall>& balls = run.balls();
     lose_balls_over_rails(set, run, t);

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,7 +18,7 @@ namespace poolhall {
 
 /// The next double after x >= 0; std::nextafter would be a call of the C library.
 constexpr double next_above(double x) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1);
+    return std::bit_cast<Real>(std::bit_cast<std::uint64_t>(x) + 1);
 }
 
 /// An effect that can say up to which |x| and |y| the centre of a ball of some radius meets nothing
@@ -75,14 +74,14 @@ class InstantSearch {
     }
 
     /// Begins to look at the next `time` s.
-    void begin(double time) {
+    void begin(Real time) {
         forget();
         time_ = time;
         first_ = next_above(time);
     }
 
     /// True if an event at t (s from now) is among the first; forgets later ones.
-    bool is_first(double t) {
+    bool is_first(Real t) {
         if (t > first_) return false;
         if (t < first_) forget();
         first_ = t;
@@ -90,7 +89,7 @@ class InstantSearch {
     }
 
     /// When what happens first happens, s from now; more than the time looked at if nothing does.
-    [[nodiscard]] double first() const { return first_; }
+    [[nodiscard]] Real first() const { return first_; }
 
     /// Looks at all of the time. Afterwards next() is valid.
     void look() {
@@ -104,15 +103,15 @@ class InstantSearch {
     [[nodiscard]] Vec2 next(std::size_t ball) const { return memory_.next[ball]; }
 
     /// To be called at the end of a tick of dt s: gives boxes to loose balls for the ticks to come.
-    void claim_boxes(double dt) {
+    void claim_boxes(Real dt) {
         for (const std::size_t i : memory_.loose)
             claim_box(i, dt);
     }
 
   private:
     /// For how many ticks and ball's radii of way a box is made at most.
-    static constexpr double kMostTicks = 64;
-    static constexpr double kLongest = 4;
+    static constexpr Real kMostTicks = 64;
+    static constexpr Real kLongest = 4;
 
     void forget() {
         work_.contacts.clear();
@@ -137,18 +136,18 @@ class InstantSearch {
         return !memory_.loose.empty();
     }
 
-    void claim_box(std::size_t i, double dt) {
+    void claim_box(std::size_t i, Real dt) {
         const MovingBall& ball = balls_[i];
         if (!in_play(ball) || ball.motion == Motion::kStationary) return;
         Outlook& outlook = memory_.outlooks[i];
         if (!outlook.is_alone) return;
         const Vec2 step = dt * xy(paths_.drift(i));
-        const double longest = kLongest * ball.radius / (std::abs(step.x) + std::abs(step.y));
+        const Real longest = kLongest * ball.radius / (abs(step.x) + abs(step.y));
         const Vec2 way = std::min(outlook.ticks, longest) * step;
         const Vec2 clear = outlook.clear;
-        if (std::abs(ball.r.x) > clear.x || std::abs(ball.r.y) > clear.y) return;
+        if (abs(ball.r.x) > clear.x || abs(ball.r.y) > clear.y) return;
         // Its way bends.
-        const double margin = (std::abs(way.x) + std::abs(way.y)) / 16;
+        const Real margin = (abs(way.x) + abs(way.y)) / 16;
         const Box box{std::max(std::min(ball.r.x, ball.r.x + way.x) - margin, -clear.x),
                       std::min(std::max(ball.r.x, ball.r.x + way.x) + margin, clear.x),
                       std::max(std::min(ball.r.y, ball.r.y + way.y) - margin, -clear.y),
@@ -156,13 +155,13 @@ class InstantSearch {
         if (memory_.boxes.claim(i, box, ball.radius)) {
             outlook.ticks = std::min(2 * outlook.ticks, kMostTicks);
         } else {
-            outlook.ticks = std::max(outlook.ticks / 2, 1.0);
+            outlook.ticks = std::max(outlook.ticks / 2, Real{1});
         }
     }
 
     /// Up to which |x| and |y| a ball meets nothing of the table, by more than any rounding, m.
-    [[nodiscard]] Vec2 clear_area(double radius) const {
-        constexpr double kSafe = 1 - 0x1p-30;
+    [[nodiscard]] Vec2 clear_area(Real radius) const {
+        constexpr Real kSafe = 1 - 0x1p-30;
         Vec2 area{kNever, kNever};
         set_.for_each([&]<OuterEffect Effect>(const Effect& effect) {
             const Vec2 clear = effect.clear_area(radius);
@@ -205,19 +204,19 @@ class InstantSearch {
 
     void find_ball_contact(std::size_t i, std::size_t j) {
         if (paths_.drift(i) == paths_.drift(j) || paths_.have_parted(i, j)) return;
-        double t = meeting(i, j);
+        Real t = meeting(i, j);
         if (t > time_ && slips_by(i, j, t)) t = time_;
         if (t > time_ || rest_against(i, j)) return;
         if (is_first(t)) work_.contacts.push_back(ball_contact(i, j));
     }
 
-    [[nodiscard]] double meeting(std::size_t i, std::size_t j) const {
+    [[nodiscard]] Real meeting(std::size_t i, std::size_t j) const {
         const MovingBall& a = balls_[i];
         const MovingBall& b = balls_[j];
         const Vec3 v_a = paths_.drift(i);
         const Vec3 v_b = paths_.drift(j);
         if constexpr (Set::template kHas<Airborne>) {
-            const double rise = b.height - a.height;
+            const Real rise = b.height - a.height;
             if (rise != 0 || v_a.z != v_b.z) {
                 const Vec2 c = b.r - a.r;
                 return straight_contact({c.x, c.y, rise + (b.radius - a.radius)}, v_b - v_a,
@@ -230,13 +229,14 @@ class InstantSearch {
 
     /// True for a graze that is due only just after the time looked at: from where rounding puts
     /// the balls then, they may not approach any more.
-    [[nodiscard]] bool slips_by(std::size_t i, std::size_t j, double t) const {
-        constexpr double kSoon = 1 + 0x1p-20;
+    [[nodiscard]] bool slips_by(std::size_t i, std::size_t j, Real t) const {
+        constexpr Real kSoon = 1 + 0x1p-20;
+        constexpr Real kGraze = 0x1p16 * kEpsilon * kEpsilon;
         if (t > kSoon * time_ || is_in_air(i) || is_in_air(j)) return false;
         const Vec2 v = xy(paths_.drift(j)) - xy(paths_.drift(i));
         const Vec2 c = (balls_[j].r - balls_[i].r) + time_ * v;
-        const double approach = -dot(c, v);
-        return approach <= 0 || approach * approach <= 0x1p-88 * dot(c, c) * dot(v, v);
+        const Real approach = -dot(c, v);
+        return approach <= 0 || approach * approach <= kGraze * dot(c, c) * dot(v, v);
     }
 
     [[nodiscard]] bool is_in_air(std::size_t i) const {
@@ -247,17 +247,15 @@ class InstantSearch {
     /// only hand that rounding to and fro between them and what holds them, without end; left alone
     /// it makes an overlap far below kTouchTolerance.
     [[nodiscard]] bool rest_against(std::size_t i, std::size_t j) const {
-        constexpr double kRounding = 0x1p-48;
         const MovingBall& a = balls_[i];
         const MovingBall& b = balls_[j];
-        const double distance = contact_distance(a, b);
+        const Real distance = contact_distance(a, b);
         const Vec2 c = b.r - a.r;
         const Vec2 v_a = xy(paths_.drift(i));
         const Vec2 v_b = xy(paths_.drift(j));
-        const double speed =
-            std::max({std::abs(v_a.x), std::abs(v_a.y), std::abs(v_b.x), std::abs(v_b.y)});
-        return dot(c, c) <= (1 + kRounding) * distance * distance &&
-               -dot(c, v_b - v_a) <= kRounding * distance * speed;
+        const Real speed = std::max({abs(v_a.x), abs(v_a.y), abs(v_b.x), abs(v_b.y)});
+        return dot(c, c) <= (1 + kTouchRounding) * distance * distance &&
+               -dot(c, v_b - v_a) <= kTouchRounding * distance * speed;
     }
 
     void find_rail_contacts() {
@@ -290,8 +288,8 @@ class InstantSearch {
     std::vector<MovingBall>& balls_;
     Workspace& work_;
     SteppingMemory& memory_;
-    double time_ = 0;   ///< looked at, s
-    double first_ = 0;  ///< s
+    Real time_ = 0;   ///< looked at, s
+    Real first_ = 0;  ///< s
 };
 
 }  // namespace poolhall

@@ -9,7 +9,6 @@
 #include "shared/physics/time_of_impact.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -30,13 +29,13 @@ class OverlapSolver {
             cloth_.settle(ball);
         run_ticks(
             run_, [this] { return run_.any_moves(); },
-            [this](double begin, double end) { return tick(end - begin, end); });
+            [this](Real begin, Real end) { return tick(end - begin, end); });
     }
 
   private:
     static constexpr int kMaxReflections = 10000;
 
-    Outcome tick(double dt, double end) {
+    Outcome tick(Real dt, Real end) {
         const std::size_t first_event = run_.event_count();
         for (MovingBall& ball : run_.balls())
             ball.r = ball.r + dt * ball.v;
@@ -53,7 +52,7 @@ class OverlapSolver {
         return Outcome::kRest;
     }
 
-    void separate_pairs(double dt, double end) {
+    void separate_pairs(Real dt, Real end) {
         const std::vector<MovingBall>& balls = run_.balls();
         for (std::size_t a = 0; a < balls.size(); ++a) {
             for (std::size_t b = a + 1; b < balls.size(); ++b) {
@@ -63,15 +62,15 @@ class OverlapSolver {
     }
 
     /// Text, 5.2.1.
-    void separate(std::size_t a, std::size_t b, double dt, double end) {
+    void separate(std::size_t a, std::size_t b, Real dt, Real end) {
         MovingBall& first = run_.balls()[a];
         MovingBall& second = run_.balls()[b];
-        const double distance = contact_distance(first, second);
+        const Real distance = contact_distance(first, second);
         const Vec2 c = first.r - second.r;
         const Vec2 v = second.v - first.v;
         if (dot(c, c) >= distance * distance || v == Vec2{}) return;
         // Never before this tick, even where an earlier tick left an overlap behind.
-        const double since =
+        const Real since =
             std::min(time_since_impact({first.r, first.v}, {second.r, second.v}, distance), dt);
         const Vec2 met_first = first.r - since * first.v;
         const Vec2 met_second = second.r - since * second.v;
@@ -85,7 +84,7 @@ class OverlapSolver {
         second.r = second.r + since * second.v;
     }
 
-    void impact(const Contact& contact, double t) {
+    void impact(const Contact& contact, Real t) {
         MovingBall& a = run_.balls()[contact.a];
         MovingBall& b = run_.balls()[contact.b];
         cloth_.update_spin(a);
@@ -105,14 +104,14 @@ class OverlapSolver {
 
     /// Text, 5.2.2, repeated until no rail is crossed: a fast ball can cross the table within a
     /// tick.
-    bool bounce(std::size_t i, double dt, double end) {
+    bool bounce(std::size_t i, Real dt, Real end) {
         const MovingBall& ball = run_.balls()[i];
         if (!in_play(ball)) return true;
         const Vec2 edge = set_.template effect<Rails>().edge(ball.radius);
         for (int round = 0; round < kMaxReflections; ++round) {
-            if (std::abs(ball.r.x) > edge.x) {
+            if (abs(ball.r.x) > edge.x) {
                 reflect(i, ball.r.x > 0 ? Rail::kEast : Rail::kWest, dt, end);
-            } else if (std::abs(ball.r.y) > edge.y) {
+            } else if (abs(ball.r.y) > edge.y) {
                 reflect(i, ball.r.y > 0 ? Rail::kNorth : Rail::kSouth, dt, end);
             } else {
                 return true;
@@ -121,23 +120,23 @@ class OverlapSolver {
         return false;
     }
 
-    void reflect(std::size_t i, Rail rail, double dt, double end) {
+    void reflect(std::size_t i, Rail rail, Real dt, Real end) {
         MovingBall& ball = run_.balls()[i];
         const bool short_rail = rail == Rail::kEast || rail == Rail::kWest;
         const Vec2 edges = set_.template effect<Rails>().edge(ball.radius);
-        const double edge = short_rail ? edges.x : edges.y;
-        double& r = short_rail ? ball.r.x : ball.r.y;
-        const double& v = short_rail ? ball.v.x : ball.v.y;
-        const double wall = r > 0 ? edge : -edge;
-        const double beyond = r - wall;
+        const Real edge = short_rail ? edges.x : edges.y;
+        Real& r = short_rail ? ball.r.x : ball.r.y;
+        const Real& v = short_rail ? ball.v.x : ball.v.y;
+        const Real wall = r > 0 ? edge : -edge;
+        const Real beyond = r - wall;
         // An impact within this tick may have moved the ball beyond the rail on its way back.
         if (v * beyond <= 0) {
             r = wall - beyond;
             return;
         }
         // Never before this tick, even where an impact has left the ball beyond the rail.
-        const double since = std::min(beyond / v, dt);
-        const double arrived = v;
+        const Real since = std::min(beyond / v, dt);
+        const Real arrived = v;
         const Vec2 place = ball.r;
         ball.r = ball.r - since * ball.v;
         r = wall;
@@ -146,7 +145,7 @@ class OverlapSolver {
         r = wall + v / arrived * beyond;
     }
 
-    void capture(double end) {
+    void capture(Real end) {
         set_.for_each([&]<PocketEffect Pockets>(const Pockets& pockets) {
             for (std::size_t i = 0; i < run_.balls().size(); ++i) {
                 const MovingBall& ball = run_.balls()[i];
@@ -157,7 +156,7 @@ class OverlapSolver {
         });
     }
 
-    void kick_all(double dt, double end) {
+    void kick_all(Real dt, Real end) {
         for (std::size_t i = 0; i < run_.balls().size(); ++i) {
             MovingBall& ball = run_.balls()[i];
             if (!in_play(ball) || ball.motion == Motion::kStationary) continue;

@@ -9,8 +9,6 @@
 #include "shared/physics/effects/rails.hpp"
 #include "shared/physics/own_event.hpp"
 
-#include <cmath>
-
 namespace poolhall {
 
 /// Finds the first rail or pocket on a ball's arc. Times inside are from the arc's beginning.
@@ -42,9 +40,9 @@ class OwnEventSearch {
   private:
     /// True if something after `dt` s is the first; what is as early as the first so far goes
     /// before it, but for rails, which are met together.
-    bool is_first(double dt, OwnEvent::Kind kind) {
+    bool is_first(Real dt, OwnEvent::Kind kind) {
         if (!(dt <= horizon_)) return false;
-        const double t = arc_.since + dt;
+        const Real t = arc_.since + dt;
         if (t > event_.t || (t == event_.t && event_.kind == OwnEvent::Kind::kTransition))
             return false;
         if (t < event_.t || event_.kind != kind) event_.touch_count = 0;
@@ -53,27 +51,27 @@ class OwnEventSearch {
         return true;
     }
 
-    void touch(double dt, Rail rail, Vec2 normal) {
+    void touch(Real dt, Rail rail, Vec2 normal) {
         if (!is_first(dt, OwnEvent::Kind::kRail)) return;
         if (event_.touch_count < event_.touches.size())
             event_.touches[event_.touch_count++] = {rail, normal};
     }
 
     /// A piece of a cushion; at the joint of two, which have one normal, only the first counts.
-    void touch_first(double dt, Rail rail, Vec2 normal) {
+    void touch_first(Real dt, Rail rail, Vec2 normal) {
         if (arc_.since + dt < event_.t) touch(dt, rail, normal);
     }
 
     /// When v s + a s^2 / 2 (under drag: v s) reaches the gap, s.
-    [[nodiscard]] double time_to(double gap, double v, double a) const {
-        const double t = time_to_close(gap, v, a);
+    [[nodiscard]] Real time_to(Real gap, Real v, Real a) const {
+        const Real t = time_to_close(gap, v, a);
         return arc_.drag > 0 ? time_under_drag(arc_.drag, t) : t;
     }
 
     /// When what is behind a line, and so has a negative gap, has come before it and is back, s.
-    [[nodiscard]] static double time_back(double gap, double v, double a) {
-        const double square = v * v + 2 * a * gap;
-        return v < 0 && a > 0 && square > 0 ? (std::sqrt(square) - v) / a : kNever;
+    [[nodiscard]] static Real time_back(Real gap, Real v, Real a) {
+        const Real square = v * v + 2 * a * gap;
+        return v < 0 && a > 0 && square > 0 ? (sqrt(square) - v) / a : kNever;
     }
 
     void find_rails(const Rails& rails) {
@@ -92,16 +90,16 @@ class OwnEventSearch {
     void find_cushions(const PoolMouths& mouths) {
         if (!mouths.may_reach(reach_)) return;
         for (const CushionLine& line : mouths.table().lines()) {
-            const double gap = dot(line.from - ball_.r, line.normal) - ball_.radius;
-            const double closing = dot(ball_.v, line.normal);
-            const double v = std::abs(closing) <= PoolMouths::rounding_of(ball_.v) ? 0 : closing;
-            const double a = dot(arc_.a, line.normal);
-            const double dt = PoolMouths::faces(gap) ? time_to(gap, v, a) : time_back(gap, v, a);
+            const Real gap = dot(line.from - ball_.r, line.normal) - ball_.radius;
+            const Real closing = dot(ball_.v, line.normal);
+            const Real v = abs(closing) <= PoolMouths::rounding_of(ball_.v) ? 0 : closing;
+            const Real a = dot(arc_.a, line.normal);
+            const Real dt = PoolMouths::faces(gap) ? time_to(gap, v, a) : time_back(gap, v, a);
             if (dt <= horizon_ && within(line, place_on(ball_, arc_, arc_.since + dt)))
                 touch_first(dt, line.rail, line.normal);
         }
         for (const CushionArc& arc : mouths.table().arcs()) {
-            const double dt = time_to_come_within(arc.centre, arc.radius + ball_.radius);
+            const Real dt = time_to_come_within(arc.centre, arc.radius + ball_.radius);
             if (!(dt <= horizon_)) continue;
             const Vec2 out = place_on(ball_, arc_, arc_.since + dt) - arc.centre;
             if (within(arc, out)) touch_first(dt, arc.rail, -normalized(out));
@@ -139,15 +137,15 @@ class OwnEventSearch {
     }
 
     /// When the ball's centre comes within `distance` of a place, s; 0 where it is there already.
-    [[nodiscard]] double time_to_come_within(Vec2 place, double distance) const {
+    [[nodiscard]] Real time_to_come_within(Vec2 place, Real distance) const {
         // reach_ is wider than the centre's way by the radius at least.
         if (place.x - distance > reach_.high_x || place.x + distance < reach_.low_x ||
             place.y - distance > reach_.high_y || place.y + distance < reach_.low_y)
             return kNever;
         const Vec2 c = ball_.r - place;
         if (dot(c, c) <= distance * distance) {
-            const double approach = -dot(c, ball_.v);
-            const double rounding = distance * PoolMouths::rounding_of(ball_.v);
+            const Real approach = -dot(c, ball_.v);
+            const Real rounding = distance * PoolMouths::rounding_of(ball_.v);
             if (approach > rounding || (approach >= -rounding && dot(c, arc_.a) < 0)) return 0;
             // Only a parabola comes back to what it leaves.
             if (arc_.a == Vec2{} || ball_.motion == Motion::kRolling) return kNever;
@@ -165,7 +163,7 @@ class OwnEventSearch {
     const MovingBall& ball_;
     const Arc& arc_;
     const Box& reach_;
-    double horizon_;
+    Real horizon_;
     OwnEvent& event_;
 };
 

@@ -57,23 +57,23 @@ class SteppingSolver {
         search_.begin_shot();
         run_ticks(
             run_, [this] { return !work_.stepping.moving.empty(); },
-            [this](double begin, double end) { return tick(begin, end); });
+            [this](Real begin, Real end) { return tick(begin, end); });
     }
 
   private:
     /// One tick from `begin` to `end`, in s. kRest means that it went well.
-    Outcome tick(double begin, double end) {
-        const double dt = end - begin;
-        double passed = 0;
+    Outcome tick(Real begin, Real end) {
+        const Real dt = end - begin;
+        Real passed = 0;
         if constexpr (kScheme == Scheme::kSemiImplicit) kick_all(dt, begin);
         for (int round = 0; round < kMaxContactsPerTick; ++round) {
             if (run_.event_limit_reached()) return Outcome::kEventLimit;
-            const double rest = std::max(dt - passed, 0.0);
+            const Real rest = std::max(dt - passed, Real{0});
             search_.begin(rest);
             search_.look();
-            const double next = search_.first();
+            const Real next = search_.first();
             run_.sample_before(std::min(begin + passed + std::min(next, rest), end), begin + passed,
-                               [this](std::size_t i, double time) { return place_after(i, time); });
+                               [this](std::size_t i, Real time) { return place_after(i, time); });
             if (next > rest) {
                 arrive(rest);
                 if constexpr (kScheme == Scheme::kEuler) kick_all(dt, end);
@@ -90,19 +90,19 @@ class SteppingSolver {
         return Outcome::kStalled;
     }
 
-    [[nodiscard]] Vec3 place_after(std::size_t i, double time) const {
+    [[nodiscard]] Vec3 place_after(std::size_t i, Real time) const {
         const Vec3 way = time * paths_.drift(i);
         return {balls_[i].r.x + way.x, balls_[i].r.y + way.y, height_after(i, time)};
     }
 
-    [[nodiscard]] double height_after(std::size_t i, double time) const {
+    [[nodiscard]] Real height_after(std::size_t i, Real time) const {
         if constexpr (Set::template kHas<Airborne>)
             return balls_[i].height + time * paths_.drift(i).z;
         return balls_[i].height;
     }
 
     /// To the end of the time that was looked at.
-    void arrive(double time) {
+    void arrive(Real time) {
         MovingBall* const balls = balls_.data();
         for (const std::size_t i : work_.stepping.moving) {
             const Vec2 next = search_.next(i);
@@ -112,14 +112,14 @@ class SteppingSolver {
         }
     }
 
-    void advance(double time) {
+    void advance(Real time) {
         for (const std::size_t i : work_.stepping.moving) {
             balls_[i].height = height_after(i, time);
             balls_[i].r = balls_[i].r + time * balls_[i].v;
         }
     }
 
-    void kick_all(double dt, double t) {
+    void kick_all(Real dt, Real t) {
         MovingBall* const balls = balls_.data();
         std::size_t kicked = 0;
         bool changed = false;
@@ -138,7 +138,7 @@ class SteppingSolver {
 
     /// Lets happen what the search found: captures, or else the contacts as one group. What is left
     /// is found again, 0 s from here.
-    bool happen(double t) {
+    bool happen(Real t) {
         for (const auto& [ball, pocket] : work_.captures)
             run_.capture(t, ball, pocket);
         if (!work_.captures.empty()) return true;

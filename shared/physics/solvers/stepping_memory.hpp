@@ -9,15 +9,15 @@ namespace poolhall {
 
 /// A stretch of a ball's way that is taken as straight and uniform.
 struct Chord {
-    Vec3 v;           ///< m/s
-    double from = 0;  ///< s
-    double to = 0;    ///< s
+    Vec3 v;         ///< m/s
+    Real from = 0;  ///< s
+    Real to = 0;    ///< s
 };
 
 /// How a ball's box is made.
 struct Outlook {
     Vec2 clear;            ///< up to which |x| and |y| its centre meets nothing of the table, m
-    double ticks = 1;      ///< for how many ticks, if it has room
+    Real ticks = 1;        ///< for how many ticks, if it has room
     bool is_alone = true;  ///< in the tick before
 };
 
@@ -29,7 +29,7 @@ struct SteppingMemory {
     std::vector<Vec2> next;           ///< where a moving ball is at the step's end, m
     std::vector<Outlook> outlooks;
     std::vector<Chord> chords;  ///< exact_arc
-    std::vector<double> ends;   ///< exact_arc: of a contact; when chords begin anew, s
+    std::vector<Real> ends;     ///< exact_arc: of a contact; when chords begin anew, s
 };
 
 }  // namespace poolhall

@@ -16,10 +16,10 @@ inline constexpr int kMaxContactsPerTick = 10000;
 /// k / hz, not a sum, so that rates agree on the instants they share.
 template <class AnyMoves, class Tick>
 void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick) {
-    const double hz = run.scene().solver.hz;
-    const double limit = run.scene().limits.time;
+    const Real hz = run.scene().solver.hz;
+    const Real limit = run.scene().limits.time;
     std::uint64_t ticks = 0;
-    double t = 0;
+    Real t = 0;
     run.sample_at(0);
     Outcome outcome = Outcome::kRest;
     while (outcome == Outcome::kRest && any_moves()) {
@@ -28,7 +28,7 @@ void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick) {
         } else if (t >= limit) {
             outcome = Outcome::kTimeLimit;
         } else {
-            const double end = std::min(static_cast<double>(ticks + 1) / hz, limit);
+            const Real end = std::min(static_cast<Real>(ticks + 1) / hz, limit);
             outcome = tick(t, end);
             t = end;
             ++ticks;
