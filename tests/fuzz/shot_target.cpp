@@ -102,8 +102,8 @@ double tolerance_of(SolverKind solver) {
 
 }  // namespace
 
-/// The bytes choose a scene. What check() lets pass is simulated, and must keep the laws of
-/// tests/shared/invariants.hpp.
+/// The bytes choose a scene. What check() lets pass is simulated, must keep the laws of
+/// tests/shared/invariants.hpp, and comes out the same by the kernel of all effects.
 void shot(std::string_view input) {
     Bytes bytes(input);
     const Scene scene = choose_scene(bytes);
@@ -113,6 +113,9 @@ void shot(std::string_view input) {
     const std::string broken =
         testing::broken_invariant(scene, trace, tolerance_of(scene.solver.kind));
     require(broken.empty(), broken.c_str());
+    ShotTrace other;
+    require(simulate_by("everything", scene, 30, other) && other.hash == trace.hash,
+            "the kernels do not agree");
 }
 
 }  // namespace poolhall::fuzz

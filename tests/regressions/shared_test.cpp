@@ -5,6 +5,7 @@
 #include "shared/physics/time_of_impact.hpp"
 #include "tests/shared/contacts.hpp"
 #include "tests/shared/scenes.hpp"
+#include "tests/shared/solvers.hpp"
 #include "tests/shared/traces.hpp"
 
 #include <cmath>
@@ -34,6 +35,21 @@ TEST(Regression, WayBackAtTheSlowestSpeedIsNotNan) {
     const ShotTrace trace = simulate(scene);
     EXPECT_TRUE(std::isfinite(trace.balls[0].state.r.x));
     EXPECT_TRUE(std::isfinite(trace.balls[1].state.r.x));
+}
+
+TEST(Regression, BallTooSlowToSquareItsSpeedStopsInNoKernelWithoutFriction) {
+    for (const double speed : {1e-200, -5e-324}) {
+        Scene scene = testing::scene_of({0, 0}, {speed, 0});
+        scene.limits.time = 0.1;
+        for (const SolverKind solver : testing::kAllSolvers) {
+            scene.solver.kind = solver;
+            for (const std::string_view kernel : kernel_names()) {
+                ShotTrace trace;
+                if (!simulate_by(kernel, scene, 0, trace)) continue;
+                EXPECT_EQ(Outcome::kTimeLimit, trace.outcome) << kernel << " by " << name(solver);
+            }
+        }
+    }
 }
 
 TEST(Regression, EventsAtTheEndOfATickDoNotLieBehindThoseOfTheNext) {

@@ -23,6 +23,8 @@ class Rolling {
         const double speed = norm(ball.v);
         const double lost = mu_g_ * dt;
         if (lost >= speed) {
+            // The square of a speed below 1e-162 m/s is 0.
+            if (lost == 0) return false;
             ball.v = {};
             return true;
         }
