@@ -16,12 +16,12 @@ class Rolling {
         return scene.effects.rolling && scene.effects.rolling->mu * scene.gravity > 0;
     }
 
-    [[nodiscard]] double deceleration() const { return mu_g_; }  ///< m/s^2
+    [[nodiscard]] Real deceleration() const { return mu_g_; }  ///< m/s^2
 
     /// An explicit Euler step of dt (s) of a ball that rolls. True where it stops.
-    [[nodiscard]] bool kick(MovingBall& ball, double dt) const {
-        const double speed = norm(ball.v);
-        const double lost = mu_g_ * dt;
+    [[nodiscard]] bool kick(MovingBall& ball, Real dt) const {
+        const Real speed = norm(ball.v);
+        const Real lost = mu_g_ * dt;
         if (lost >= speed) {
             // The square of a speed below 1e-162 m/s is 0.
             if (lost == 0) return false;
@@ -33,7 +33,7 @@ class Rolling {
     }
 
   private:
-    double mu_g_;  ///< m/s^2
+    Real mu_g_;  ///< m/s^2
 };
 
 }  // namespace poolhall
