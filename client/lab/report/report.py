@@ -1,0 +1,151 @@
+"""What `./poolhall report` does once poolhall-lab is built: measures, draws, and writes the page."""
+
+import argparse
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+import curves
+import document
+import effects_figure
+import measuring
+import verdicts
+import work_precision
+from findings import measured
+from results import BadResults, read_accuracy, read_effects
+
+HERE = Path(__file__).resolve().parent
+SCENE = HERE.parent / "scenes" / "break_9_ball.json"
+BAD_INPUT = 2
+FLAGS_OF_BOTH = ("--quick", "--seed")
+
+
+def arguments_of(command_line):
+    """The report's own options, and those that go on to `poolhall-lab accuracy`."""
+    parser = argparse.ArgumentParser(
+        prog="./poolhall report", allow_abbrev=False,
+        description="Measures what accuracy costs in time, and writes it down with figures. "
+                    "Other options go to poolhall-lab accuracy: --quick, --shots N, --seed N (./poolhall lab accuracy --help).")
+    parser.add_argument("--out", type=Path, default=HERE, metavar="DIR",
+                        help="the folder for README.md, figures/ and results/; else client/lab/report")
+    parser.add_argument("--draw-only", action="store_true", help="draw again from DIR/results, without measuring")
+    parser.add_argument("--lab", default="poolhall-lab", help=argparse.SUPPRESS)
+    options, rest = parser.parse_known_args(command_line)
+    if options.draw_only and rest:
+        parser.error(f"--draw-only measures nothing, so {rest[0]} has no meaning")
+    return options, rest
+
+
+def shared_flags(rest):
+    """Of the flags for accuracy, those that effects takes too."""
+    taken = []
+    for number, flag in enumerate(rest):
+        if flag.partition("=")[0] in FLAGS_OF_BOTH:
+            taken += rest[number:number + (2 if flag == "--seed" else 1)]
+    return taken
+
+
+def measure(lab, rest, work):
+    """Fills work/results and work/figures as far as it gets."""
+    results, figures = work / "results", work / "figures"
+    if not lab.run("accuracy", *rest, "--out", results):
+        return
+    for command, run in (
+            ("effects", lambda: lab.run("effects", *shared_flags(rest), "--out", results)),
+            ("compare", lambda: all(lab.run("compare", SCENE, "--picture", figures / f"compare.{kind}", stdout=sys.stderr)
+                                    for kind in ("svg", "png")))):
+        if not lab.knows(command):
+            print(f"poolhall: this poolhall-lab has no '{command}', so the report leaves it out", file=sys.stderr)
+        elif not run():
+            return
+
+
+def keep_measured(out, work):
+    """For --draw-only: what an earlier run has left in `out`."""
+    for name in ("accuracy.json", "accuracy.csv", "effects.json", "effects.csv"):
+        if (out / "results" / name).exists():
+            shutil.copy(out / "results" / name, work / "results")
+    for picture in (out / "figures").glob("compare.*"):
+        shutil.copy(picture, work / "figures")
+
+
+def source_of(data):
+    build = data["build"]
+    return f"{data['command']} · seed {data['seed']} · {build['cpu']} · {build['compiler']} · {build['flags']}"
+
+
+def sheets(accuracy, effects):
+    """(name, sheet) of every figure for which there are numbers."""
+    source = source_of(accuracy)
+    ensembles = [ensemble for ensemble in accuracy["ensembles"] if measured(ensemble)]
+    if ensembles:
+        yield "work_precision", work_precision.overview(ensembles, source)
+    for ensemble in ensembles:
+        yield f"work_precision_{ensemble['name']}", work_precision.figure(ensemble, source)
+    yield "verdict_flips", verdicts.figure(accuracy["ensembles"], source)
+    yield "error_in_time", curves.errors_in_time(accuracy["ensembles"], source)
+    yield "tunnelling", curves.tunnelling(accuracy, source)
+    yield "crowds", curves.crowds(accuracy, source)
+    if effects:
+        yield "effects", effects_figure.figure(effects, source_of(effects))
+
+
+def draw(work):
+    """work/README.md and work/figures from work/results."""
+    accuracy = read_accuracy(work / "results" / "accuracy.json")
+    effects = read_effects(work / "results" / "effects.json")
+    for name, sheet in sheets(accuracy, effects):
+        if sheet:
+            sheet.save(work / "figures", name)
+    picture = (work / "figures" / "compare.png").exists()
+    (work / "README.md").write_text(document.markdown(accuracy, effects, picture), encoding="utf-8")
+
+
+def publish(work, out):
+    """Puts the finished report in the place of the one before."""
+    for name in ("results", "figures"):
+        shutil.rmtree(out / name, ignore_errors=True)
+        (work / name).rename(out / name)
+    (work / "README.md").rename(out / "README.md")
+
+
+def make(options, rest):
+    """The exit status. Nothing in the old report is touched before the new one is whole."""
+    lab = measuring.Lab(options.lab)
+    options.out.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".report-", dir=options.out) as folder:
+        work = Path(folder)
+        for name in ("results", "figures"):
+            (work / name).mkdir()
+        if options.draw_only:
+            keep_measured(options.out, work)
+        else:
+            measure(lab, rest, work)
+        if lab.interrupted and not (work / "results" / "accuracy.json").exists():
+            print("poolhall: interrupted before anything was finished; the report is as it was", file=sys.stderr)
+            return measuring.INTERRUPTED
+        draw(work)
+        publish(work, options.out)
+    if lab.interrupted:
+        print(f"poolhall: interrupted; {options.out / 'README.md'} has what was finished", file=sys.stderr)
+        return measuring.INTERRUPTED
+    print(f"poolhall: the report is {options.out / 'README.md'}")
+    return 0
+
+
+def main(command_line):
+    options, rest = arguments_of(command_line)
+    try:
+        return make(options, rest)
+    except measuring.Failed as failed:
+        return failed.status
+    except BadResults as fault:
+        print(f"poolhall: report: {fault}", file=sys.stderr)
+    except OSError as error:
+        print(f"poolhall: report: {error.filename or options.out}: {error.strerror}", file=sys.stderr)
+    return BAD_INPUT
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
