@@ -52,6 +52,23 @@ TEST(Regression, BallTooSlowToSquareItsSpeedStopsInNoKernelWithoutFriction) {
     }
 }
 
+TEST(Regression, BallThatRollsHasTheSpinOfItsSpeedWhenItIsCutOffOrCaptured) {
+    Scene scene = testing::scene_of({0, 0.6}, {2, 0});
+    scene.effects = testing::cloth_effects();
+    scene.limits.time = 2;
+    Scene at_pocket = scene;
+    at_pocket.table.pockets = PocketModel::kCircles;
+    at_pocket.table.circles = {{"NE", {1.27, 0.635}, 0.1}};
+    for (const SolverKind solver : testing::kAllSolvers) {
+        scene.solver.kind = at_pocket.solver.kind = solver;
+        const BallState cut_off = simulate(scene).balls[0].state;
+        const auto captures = testing::events_of(simulate(at_pocket), EventKind::kBallPocket);
+        ASSERT_EQ(1U, captures.size()) << name(solver);
+        for (const BallState& state : {cut_off, captures[0].before[0]})
+            EXPECT_NEAR(state.v.x, state.w.y * BallSpec{}.radius, 1e-12) << name(solver);
+    }
+}
+
 TEST(Regression, EventsAtTheEndOfATickDoNotLieBehindThoseOfTheNext) {
     // Balls that reach a rail at the very end of a tick, and others that leave one with the next.
     testing::Random random(2);

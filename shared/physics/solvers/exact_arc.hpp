@@ -42,7 +42,7 @@ class ExactArcSolver {
         search_.begin_shot();
         run_ticks(
             run_, [this] { return !work_.stepping.moving.empty(); },
-            [this](Real begin, Real end) { return tick(begin, end); });
+            [this](Real begin, Real end) { return tick(begin, end); }, [] {});
     }
 
   private:

@@ -29,7 +29,8 @@ class OverlapSolver {
             cloth_.settle(ball);
         run_ticks(
             run_, [this] { return run_.any_moves(); },
-            [this](Real begin, Real end) { return tick(end - begin, end); });
+            [this](Real begin, Real end) { return tick(end - begin, end); },
+            [this] { update_spins(); });
     }
 
   private:
@@ -148,12 +149,19 @@ class OverlapSolver {
     void capture(Real end) {
         set_.for_each([&]<PocketEffect Pockets>(const Pockets& pockets) {
             for (std::size_t i = 0; i < run_.balls().size(); ++i) {
-                const MovingBall& ball = run_.balls()[i];
+                MovingBall& ball = run_.balls()[i];
                 if (!in_play(ball) || ball.v == Vec2{}) continue;
-                if (const std::optional<Pocket> pocket = pockets.at(ball.r))
+                if (const std::optional<Pocket> pocket = pockets.at(ball.r)) {
+                    cloth_.update_spin(ball);
                     run_.capture(end, i, *pocket);
+                }
             }
         });
+    }
+
+    void update_spins() {
+        for (MovingBall& ball : run_.balls())
+            cloth_.update_spin(ball);
     }
 
     void kick_all(Real dt, Real end) {

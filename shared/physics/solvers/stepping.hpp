@@ -57,7 +57,7 @@ class SteppingSolver {
         search_.begin_shot();
         run_ticks(
             run_, [this] { return !work_.stepping.moving.empty(); },
-            [this](Real begin, Real end) { return tick(begin, end); });
+            [this](Real begin, Real end) { return tick(begin, end); }, [this] { update_spins(); });
     }
 
   private:
@@ -136,11 +136,18 @@ class SteppingSolver {
         if (changed) search_.note_changes();
     }
 
+    void update_spins() {
+        for (MovingBall& ball : balls_)
+            cloth_.update_spin(ball);
+    }
+
     /// Lets happen what the search found: captures, or else the contacts as one group. What is left
     /// is found again, 0 s from here.
     bool happen(Real t) {
-        for (const auto& [ball, pocket] : work_.captures)
+        for (const auto& [ball, pocket] : work_.captures) {
+            cloth_.update_spin(balls_[ball]);
             run_.capture(t, ball, pocket);
+        }
         if (!work_.captures.empty()) return true;
         for (const Contact& contact : work_.contacts) {
             cloth_.update_spin(balls_[contact.a]);

@@ -12,10 +12,11 @@ namespace poolhall {
 inline constexpr int kMaxContactsPerTick = 10000;
 
 /// Runs `tick(begin, end)` (s) at the scene's rate as long as `any_moves()` or until a limit is
-/// reached. A tick answers kRest when it went well, and otherwise how the shot ends. Times are
-/// k / hz, not a sum, so that rates agree on the instants they share.
-template <class AnyMoves, class Tick>
-void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick) {
+/// reached. A tick answers kRest when it went well, and otherwise how the shot ends. `at_end()` may
+/// then bring the balls up to date. Times are k / hz, not a sum, so that rates agree on the
+/// instants they share.
+template <class AnyMoves, class Tick, class AtEnd>
+void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick, AtEnd at_end) {
     const Real hz = run.scene().solver.hz;
     const Real limit = run.scene().limits.time;
     std::uint64_t ticks = 0;
@@ -34,6 +35,7 @@ void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick) {
             ++ticks;
         }
     }
+    at_end();
     run.finish(outcome, t, ticks);
 }
 
