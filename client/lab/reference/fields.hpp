@@ -7,6 +7,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -172,11 +173,10 @@ class TapeWriter {
 /// Takes fields from a tape, in the order in which they were written.
 class TapeReader {
   public:
-    /// Which part of its numbers is read into a Real; a count or a name is whole in either.
-    enum class Part { kValue, kRest };
+    /// What of its numbers is read into a Real. Counts and names are whole in their values.
+    enum class Part { kValue, kRest, kSum };
 
-    explicit TapeReader(const poolhall_reference::Tape& tape, Part part = Part::kValue)
-        : tape_(tape), part_(part) {}
+    TapeReader(const poolhall_reference::Tape& tape, Part part) : tape_(tape), part_(part) {}
 
     template <class... T>
     void operator()(T&... fields) {
@@ -185,8 +185,8 @@ class TapeReader {
 
   private:
     void read(Real& x) {
-        x = part_ == Part::kValue ? tape_[next_].value : tape_[next_].rest;
-        ++next_;
+        const auto& [value, rest] = tape_[next_++];
+        x = part_ == Part::kSum ? Real{value} + rest : part_ == Part::kRest ? rest : value;
     }
 
     template <class T>

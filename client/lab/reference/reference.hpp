@@ -7,20 +7,29 @@
 
 namespace poolhall::lab {
 
+/// Where straight, unbroken rails are met by balls of the scene's common radius.
+enum class RailPlaces {
+    kRounded,  ///< at |x| = length/2 - radius rounded to a double, as the scene's format says
+    kExact,    ///< without that, to compare with other programs
+};
+
 /// Simulates shots by the event solver in numbers of 113 bits: what doubles are measured against.
 ///
 /// The same sources of shared/, compiled a second time (CMakeLists.txt here says how), so that the
 /// model is the same to the last branch and only the arithmetic differs. The scene's numbers are
 /// its doubles, exactly; from the strike on all is 113 bits, and an event is the soonest in 113
-/// bits. Two things stay what they are in doubles, because they are part of the model: rails are
-/// met at |x| = length/2 - radius rounded to a double, as the scene's format says, and Mathavan's
-/// rail is integrated in the same steps to the same tolerance, whose error is not seen here.
+/// bits.
+///
+/// What it is no reference for: balls that touch to within the last bit of a double, as in a rack
+/// without gaps, since in 113 bits they are apart or overlap by that bit, and so it is another
+/// rack; and Mathavan's rail, which is integrated in the same steps to the same tolerance, so that
+/// the error of the integration is not seen.
 ///
 /// The scene must have passed check() for the event solver; its `solver` is not looked at. One at a
 /// time a thread. Memory is used again from shot to shot.
 class ReferenceSimulator {
   public:
-    ReferenceSimulator();
+    explicit ReferenceSimulator(RailPlaces rails = RailPlaces::kRounded);
     ~ReferenceSimulator();
     ReferenceSimulator(ReferenceSimulator&&) noexcept;
     ReferenceSimulator& operator=(ReferenceSimulator&&) noexcept;
@@ -37,6 +46,8 @@ class ReferenceSimulator {
 
   private:
     struct Memory;
+
+    RailPlaces rails_;
     std::unique_ptr<Memory> memory_;
 };
 

@@ -20,7 +20,8 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::simulate(const Tape& scene, double sample_hz, Tape& trace) {
-    poolhall::lab::TapeReader{scene}(memory_->scene);
+    using poolhall::lab::TapeReader;
+    TapeReader{scene, TapeReader::Part::kSum}(memory_->scene);
     poolhall::ShotRun run(memory_->scene, sample_hz, memory_->workspace, memory_->trace);
     // One kernel suffices: it covers every scene, and all that cover one give the same.
     const poolhall::Everything effects(memory_->scene);

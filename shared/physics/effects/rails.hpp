@@ -56,10 +56,8 @@ class Rails {
         return RailHit{*t, v.y > 0 ? Rail::kNorth : Rail::kSouth};
     }
 
-    /// |x| and |y| of a ball of that radius that touches the rails, m: doubles, as scenes say.
-    [[nodiscard]] Vec2 edge(Real radius) const {
-        return {static_cast<double>(nose_.x - radius), static_cast<double>(nose_.y - radius)};
-    }
+    /// |x| and |y| of a ball of that radius that touches the rails, m.
+    [[nodiscard]] Vec2 edge(Real radius) const { return {nose_.x - radius, nose_.y - radius}; }
 
   private:
     Vec2 nose_;  ///< |x| and |y| of the noses, m
