@@ -161,8 +161,11 @@ def _effects(effects):
 
 
 def _comparison(picture):
-    said = _picture("compare", "One break by several solvers: all paths on one table") if picture \
-        else "No picture of one shot by several solvers was drawn in this run."
+    said = "No picture of one shot by several solvers was drawn in this run."
+    if picture:
+        said = f"""{_picture("compare", "One break by several solvers: all paths on one table")}
+
+The same break, computed by each; the crosses are collisions. [Event by event](results/compare.txt)."""
     return f"## One shot, several solvers\n\n{said}"
 
 

@@ -1,5 +1,6 @@
 """Runs poolhall-lab for the report, and lets Ctrl-C end a run so that what is finished is kept."""
 
+import re
 import signal
 import subprocess
 
@@ -22,22 +23,31 @@ class Lab:
         self.interrupted = False
 
     def knows(self, command):
-        return subprocess.run([self.program, command, "--help"], capture_output=True, check=False).returncode == 0
+        """Whether its help names the command."""
+        listed = subprocess.run([self.program, "--help"], capture_output=True, text=True, check=False).stdout
+        return re.search(rf"^ +{command}\b", listed, re.MULTILINE) is not None
 
     def run(self, *arguments, **options):
         """True when the command ran to its end, False when it was interrupted; raises Failed."""
-        # In a session of its own, so that it gets each Ctrl-C once, and from here.
-        with subprocess.Popen([self.program, *map(str, arguments)], start_new_session=True, **options) as child:
-            def interrupt(number, _frame):
-                self.interrupted = True
+        child, told = None, False
+
+        def interrupt(number, _frame):
+            nonlocal told
+            self.interrupted = True
+            if child:
+                told = True
                 child.send_signal(number)
 
-            before = {number: signal.signal(number, interrupt) for number in (signal.SIGINT, signal.SIGTERM)}
-            try:
-                status = child.wait()
-            finally:
-                for number, handler in before.items():
-                    signal.signal(number, handler)
+        before = {number: signal.signal(number, interrupt) for number in (signal.SIGINT, signal.SIGTERM)}
+        try:
+            # In a session of its own, so that it gets each Ctrl-C once, and from here.
+            child = subprocess.Popen([self.program, *map(str, arguments)], start_new_session=True, **options)
+            if self.interrupted and not told:  # while it was started
+                child.send_signal(signal.SIGINT)
+            status = child.wait()
+        finally:
+            for number, handler in before.items():
+                signal.signal(number, handler)
         if self.interrupted:
             return False
         if status != 0:

@@ -26,7 +26,7 @@ def arguments_of(command_line):
     parser = argparse.ArgumentParser(
         prog="./poolhall report", allow_abbrev=False,
         description="Measures what accuracy costs in time, and writes it down with figures. "
-                    "Other options go to poolhall-lab accuracy: --quick, --shots N, --seed N (./poolhall lab accuracy --help).")
+                    "Other options go to poolhall-lab accuracy: --quick, --shots N, --seed N, --only PART.")
     parser.add_argument("--out", type=Path, default=HERE, metavar="DIR",
                         help="the folder for README.md, figures/ and results/; else client/lab/report")
     parser.add_argument("--draw-only", action="store_true", help="draw again from DIR/results, without measuring")
@@ -47,27 +47,29 @@ def shared_flags(rest):
 
 
 def measure(lab, rest, work):
-    """Fills work/results and work/figures as far as it gets."""
+    """Fills work/results and work/figures as far as it gets; the exit status.
+
+    A run of accuracy takes long: what comes after it may fail without losing it."""
     results, figures = work / "results", work / "figures"
+
+    def compare():
+        with open(results / "compare.txt", "w", encoding="utf-8") as text:
+            return lab.run("compare", SCENE, "--out", figures, stdout=text)
+
+    status = 0
     if not lab.run("accuracy", *rest, "--out", results):
-        return
-    for command, run in (
-            ("effects", lambda: lab.run("effects", *shared_flags(rest), "--out", results)),
-            ("compare", lambda: all(lab.run("compare", SCENE, "--picture", figures / f"compare.{kind}", stdout=sys.stderr)
-                                    for kind in ("svg", "png")))):
+        return measuring.INTERRUPTED
+    for command, run in (("effects", lambda: lab.run("effects", *shared_flags(rest), "--out", results)), ("compare", compare)):
         if not lab.knows(command):
             print(f"poolhall: this poolhall-lab has no '{command}', so the report leaves it out", file=sys.stderr)
-        elif not run():
-            return
-
-
-def keep_measured(out, work):
-    """For --draw-only: what an earlier run has left in `out`."""
-    for name in ("accuracy.json", "accuracy.csv", "effects.json", "effects.csv"):
-        if (out / "results" / name).exists():
-            shutil.copy(out / "results" / name, work / "results")
-    for picture in (out / "figures").glob("compare.*"):
-        shutil.copy(picture, work / "figures")
+            continue
+        try:
+            if not run():
+                return measuring.INTERRUPTED
+        except measuring.Failed as failed:
+            print(f"poolhall: '{command}' failed, so the report leaves it out", file=sys.stderr)
+            status = failed.status
+    return status
 
 
 def source_of(data):
@@ -91,10 +93,10 @@ def sheets(accuracy, effects):
         yield "effects", effects_figure.figure(effects, source_of(effects))
 
 
-def draw(work):
-    """work/README.md and work/figures from work/results."""
-    accuracy = read_accuracy(work / "results" / "accuracy.json")
-    effects = read_effects(work / "results" / "effects.json")
+def draw(results, work):
+    """work/README.md and work/figures from what was measured."""
+    accuracy = read_accuracy(results / "accuracy.json")
+    effects = read_effects(results / "effects.json")
     for name, sheet in sheets(accuracy, effects):
         if sheet:
             sheet.save(work / "figures", name)
@@ -102,36 +104,37 @@ def draw(work):
     (work / "README.md").write_text(document.markdown(accuracy, effects, picture), encoding="utf-8")
 
 
-def publish(work, out):
-    """Puts the finished report in the place of the one before."""
-    for name in ("results", "figures"):
-        shutil.rmtree(out / name, ignore_errors=True)
-        (work / name).rename(out / name)
-    (work / "README.md").rename(out / "README.md")
+def publish(folder, work, out):
+    """Puts a finished folder in the place of the one before."""
+    shutil.rmtree(out / folder, ignore_errors=True)
+    (work / folder).rename(out / folder)
 
 
 def make(options, rest):
-    """The exit status. Nothing in the old report is touched before the new one is whole."""
-    lab = measuring.Lab(options.lab)
+    """The exit status. An old report stays until a new one is drawn; old results until there are new ones."""
+    lab, status = measuring.Lab(options.lab), 0
     options.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".report-", dir=options.out) as folder:
         work = Path(folder)
         for name in ("results", "figures"):
             (work / name).mkdir()
         if options.draw_only:
-            keep_measured(options.out, work)
+            for picture in (options.out / "figures").glob("compare.*"):
+                shutil.copy(picture, work / "figures")
         else:
-            measure(lab, rest, work)
-        if lab.interrupted and not (work / "results" / "accuracy.json").exists():
-            print("poolhall: interrupted before anything was finished; the report is as it was", file=sys.stderr)
-            return measuring.INTERRUPTED
-        draw(work)
-        publish(work, options.out)
+            status = measure(lab, rest, work)
+            if lab.interrupted and not (work / "results" / "accuracy.json").exists():
+                print("poolhall: interrupted before anything was finished; the report is as it was", file=sys.stderr)
+                return status
+            publish("results", work, options.out)
+        draw(options.out / "results", work)
+        publish("figures", work, options.out)
+        (work / "README.md").rename(options.out / "README.md")
     if lab.interrupted:
         print(f"poolhall: interrupted; {options.out / 'README.md'} has what was finished", file=sys.stderr)
-        return measuring.INTERRUPTED
-    print(f"poolhall: the report is {options.out / 'README.md'}")
-    return 0
+    else:
+        print(f"poolhall: the report is {options.out / 'README.md'}")
+    return status
 
 
 def main(command_line):
@@ -140,6 +143,9 @@ def main(command_line):
         return make(options, rest)
     except measuring.Failed as failed:
         return failed.status
+    except KeyboardInterrupt:
+        print("poolhall: interrupted; what was measured can be drawn with --draw-only", file=sys.stderr)
+        return measuring.INTERRUPTED
     except BadResults as fault:
         print(f"poolhall: report: {fault}", file=sys.stderr)
     except OSError as error:

@@ -84,6 +84,19 @@ class ProgramTest(unittest.TestCase):
         lab = self.program("lab", "#!/bin/sh\necho no such flag >&2\nexit 2\n")
         self.assertEqual("no such flag\n", self.refused("--bad", "--out", self.folder / "out", "--lab", lab))
 
+    def test_what_fails_after_the_long_run_does_not_lose_it(self):
+        lab = self.program("lab", f"""#!/bin/sh
+            [ "$1" = --help ] && echo "  effects   What each effect costs"
+            [ "$1" = effects ] && exit 3
+            [ "$1" = accuracy ] && cp {report_files.HERE}/accuracy.json "$5"
+            exit 0
+            """)
+        result = report_files.run("--quick", "--seed=4", "--out", self.folder / "out", "--lab", lab)
+        self.assertEqual(3, result.returncode)
+        self.assertEqual("poolhall: 'effects' failed, so the report leaves it out\n"
+                         "poolhall: this poolhall-lab has no 'compare', so the report leaves it out\n", result.stderr)
+        self.assertIn("what each effect costs and is worth is left out", (self.folder / "out" / "README.md").read_text())
+
     def test_ctrl_c_keeps_what_is_finished_and_says_so(self):
         measured = json.loads((report_files.HERE / "accuracy.json").read_text())
         measured.update(ensembles=measured["ensembles"][1:], complete=False)
