@@ -152,11 +152,18 @@ def _measured_or_not(heading, found, name, text):
 def _effects(effects):
     if effects is None or not (effects["effects"] or effects["kernels"]):
         return "## Effects\n\nNot measured in this run, so what each effect costs and is worth is left out."
-    parts = ["## Effects", f"Measured by `{effects['command']}`."]
+    measured_by = f"Measured by `{effects['command']}`"
+    if effects.get("shots"):
+        measured_by += f", on {effects['shots']} shots for each effect and kernel"
+    unfinished = "" if effects.get("complete", True) else " **The run was interrupted**: this is what was finished."
+    parts = ["## Effects", f"{measured_by}.{unfinished}"]
     if effects["effects"]:
-        parts += [_picture("effects", "What each effect costs, and how far it moves the balls"), tables.effects_table(effects)]
+        parts += [_picture("effects", "What each effect costs, and how far it moves the balls"),
+                  words.effects_in_words(effects["effects"]), tables.effects_table(effects)]
     if effects["kernels"]:
-        parts += ["What a kernel costs, a ball and a tick, an event, and a shot:", tables.kernels_table(effects)]
+        parts += ["A kernel is the simulation with one set of effects compiled in; the cheapest that has all effects of a scene is "
+                  "taken. A ball-step is one ball in one tick, by `semi_implicit` at 120 Hz; events and shots are by `event`:",
+                  tables.kernels_table(effects)]
     return "\n\n".join(parts)
 
 

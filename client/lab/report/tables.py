@@ -152,7 +152,9 @@ def _cost(cost):
 
 def kernels_table(data):
     """What each kernel costs."""
-    rows = [[f"`{kernel['kernel']}`", *_cost(kernel["per_ball_step"]), *_cost(kernel["per_event"]), *_cost(kernel["per_shot"])]
+    rows = [[f"`{kernel['kernel']}`", kernel.get("ensemble", NOTHING).replace("_", " "), *_cost(kernel["per_ball_step"]),
+             *_cost(kernel["per_event"]), *_cost(kernel["per_shot"]), _cost(kernel.get("per_shot_by_everything"))[0]]
             for kernel in data["kernels"]]
-    heads = ["kernel", "a ball-step", "instructions", "an event", "instructions", "a shot", "instructions"]
-    return table(heads, rows) if rows else None
+    heads = ["kernel", "ensemble", "a ball-step", "instructions", "an event", "instructions", "a shot", "instructions",
+             "the same by `everything`"]
+    return _without_empty(heads, rows) if rows else None

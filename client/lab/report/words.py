@@ -111,3 +111,24 @@ def simplest(accuracy):
     exact = sum(1 for front in fronts if front[-1]["solver"] == "event")
     said = f"The event solver is the most exact in {exact} of {len(fronts)} ensembles"
     return f"{said}, and in {listed(alone)} also the cheapest." if alone else f"{said}, and in none also the cheapest."
+
+
+def effects_in_words(effects):
+    """The dearest effect, the one that moves most, and what it costs to name one that does nothing."""
+    def ratio(effect, form):
+        return effect[form]["ns_per_shot"] / effect["absent"]["ns_per_shot"]
+
+    dearest = max(effects, key=lambda effect: ratio(effect, "present"))
+    said = [f"The dearest effect is {dearest['effect']}: a shot of {dearest['ensemble'].replace('_', ' ')} takes "
+            f"{times(ratio(dearest, 'present'))} times as long with it as without."]
+    moving = [effect for effect in effects if effect["rest_change"]]
+    if moving:
+        worth = max(moving, key=lambda effect: effect["rest_change"]["median"])
+        said.append(f"Most is lost without {worth['effect']}: in the median shot of {worth['ensemble'].replace('_', ' ')} a ball rests "
+                    f"{metres(worth['rest_change']['median'])} away, and {percent(worth['verdict_flips'])} of the verdicts change.")
+    idle = [effect for effect in effects if effect["zero"]]
+    if idle:
+        worst = max(idle, key=lambda effect: ratio(effect, "zero"))
+        said.append(f"An effect that a scene names at zero is paid for all the same: up to {times(ratio(worst, 'zero'))} times the time "
+                    f"({worst['effect']}), for the same shot.")
+    return " ".join(said)

@@ -91,6 +91,12 @@ class WordsTest(unittest.TestCase):
         self.assertEqual("`euler:30` changes who wins: Two balls: in 1.0 % of 500 shots.", words.who_wins(ACCURACY["ensembles"]))
         self.assertEqual("No ensemble here has a winner to change.", words.who_wins([ONE_BALL]))
 
+    def test_effects_in_words(self):
+        self.assertEqual("The dearest effect is rail mathavan2010: a shot of two balls takes 9.0 times as long with it as without. "
+                         "Most is lost without sliding: in the median shot of two balls a ball rests 30.0 cm away, and 25.0 % of the "
+                         "verdicts change. An effect that a scene names at zero is paid for all the same: up to 1.4 times the time "
+                         "(sliding), for the same shot.", words.effects_in_words(EFFECTS["effects"]))
+
     def test_orders_that_theory_does_not_expect_are_named_with_their_reason(self):
         self.assertEqual(["One ball, `exact_arc`, rest error: none could be fitted where 2 is expected: "
                           "closed form in every tick: no error to fall",
@@ -105,6 +111,8 @@ class DocumentTest(unittest.TestCase):
         self.assertIn("| Two balls | `exact_arc` | 1.99 (1.94 to 2.04) | 2 |", tables.orders_table(ACCURACY["ensembles"]))
         self.assertIn("| rail mathavan2010 | two balls | 10.0 µs | – | 90.0 µs | 9.00 | 2.00 cm | 8.00 cm | 4.0 % |",
                       tables.effects_table(EFFECTS))
+        self.assertIn("| `slide_roll` | two balls | 10.5 ns | 120 | 400 ns | 15.0 µs | 108,500 | 43.0 µs |",
+                      tables.kernels_table(EFFECTS))
 
     def test_a_column_that_nobody_has_is_left_out(self):
         self.assertIn("winners flipped", tables.main_table(TWO_BALLS))
