@@ -3,9 +3,10 @@
 #include "client/compare/cpu_time.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace poolhall::lab {
 
@@ -28,24 +29,27 @@ class InstructionCounter {
 };
 
 struct Cost {
-    double ns = 0;  ///< CPU time, the median of kRepeats
+    double ns = 0;  ///< CPU time, the median of the repeats
     std::optional<double> instructions;
 };
 
-inline constexpr std::size_t kRepeats = 7;
-inline constexpr double kLeastRepeatNs = 2e7;  ///< long against the clock's steps
+/// How often something is timed.
+struct Repeats {
+    std::size_t count = 7;
+    double least_ns = 2e7;  ///< of one of them: long against the clock's steps
+};
 
 /// What one call of work() costs, once it is warm.
 template <class Work>
-[[nodiscard]] Cost measure(Work work) {
+[[nodiscard]] Cost measure(Work work, const Repeats& repeats = {}) {
     work();
     const double start = cpu_time_ns();
     work();
     const double once = std::max(cpu_time_ns() - start, 1.0);
-    const auto rounds = static_cast<std::uint64_t>(std::max(kLeastRepeatNs / once, 1.0));
+    const auto rounds = static_cast<std::uint64_t>(std::max(repeats.least_ns / once, 1.0));
     const InstructionCounter counter;
     const auto before = counter.count();
-    std::array<double, kRepeats> times{};
+    std::vector<double> times(repeats.count);
     for (double& time : times) {
         const double begin = cpu_time_ns();
         for (std::uint64_t i = 0; i < rounds; ++i)
@@ -55,9 +59,10 @@ template <class Work>
     Cost cost;
     if (const auto after = counter.count(); before && after)
         cost.instructions =
-            static_cast<double>(*after - *before) / static_cast<double>(rounds * kRepeats);
-    std::nth_element(times.begin(), times.begin() + kRepeats / 2, times.end());
-    cost.ns = times[kRepeats / 2];
+            static_cast<double>(*after - *before) / static_cast<double>(rounds * repeats.count);
+    const auto middle = times.begin() + std::ssize(times) / 2;
+    std::nth_element(times.begin(), middle, times.end());
+    cost.ns = *middle;
     return cost;
 }
 

@@ -28,14 +28,18 @@ Scene broken(std::vector<Vec2> rack) {
 
 }  // namespace
 
+void aim_at_object(Scene& scene, double aside) {
+    const Vec2 line = xy(scene.balls[1].state.r) - xy(scene.balls[0].state.r);
+    const double slope = aside * kDiameter / norm(line);
+    scene.strike->direction = line + slope * Vec2{-line.y, line.x};
+}
+
 std::vector<Scene> two_ball_shots(std::size_t count) {
     Random random(1);
     std::vector<Scene> shots;
     while (shots.size() < count) {
         Scene scene = on_cloth(random_scene(random, 2, random.uniform(1, 5)));
-        const Vec2 line = xy(scene.balls[1].state.r) - xy(scene.balls[0].state.r);
-        const double aside = random.uniform(-0.95, 0.95) * kDiameter / norm(line);
-        scene.strike->direction = line + aside * Vec2{-line.y, line.x};
+        aim_at_object(scene, random.uniform(-0.95, 0.95));
         shots.push_back(scene);
     }
     return shots;

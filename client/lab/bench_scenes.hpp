@@ -9,6 +9,10 @@
 // event solver unless said otherwise.
 namespace poolhall::lab {
 
+/// Turns the strike of ball 0 so that its line passes `aside` contact distances, or a little less,
+/// to the left of ball 1.
+void aim_at_object(Scene& scene, double aside);
+
 /// Shots at an object ball, anywhere on the table, full to thin, 1 to 5 m/s.
 [[nodiscard]] std::vector<Scene> two_ball_shots(std::size_t count);
 

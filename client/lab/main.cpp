@@ -1,3 +1,4 @@
+#include "client/lab/accuracy/accuracy_command.hpp"
 #include "client/lab/bench_command.hpp"
 #include "client/lab/simulate_command.hpp"
 #include "client/lab/solver_option.hpp"
@@ -9,6 +10,7 @@
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <unistd.h>
 
 namespace {
 
@@ -17,6 +19,7 @@ using namespace poolhall::lab;
 /// What the command line asks for.
 struct Options {
     SimulateOptions simulate;
+    AccuracyOptions accuracy;
     std::string file = "-";
     std::string csv;
 };
@@ -60,7 +63,29 @@ void add_simulate(CLI::App& app, Options& options) {
     command->add_option("FILE", options.file, "- for standard input")->capture_default_str();
 }
 
+void add_accuracy(CLI::App& app, AccuracyOptions& options) {
+    CLI::App* command = app.add_subcommand(
+        "accuracy", "What accuracy costs in time: errors and CPU time of every solver and rate");
+    command->add_flag("--quick", options.plan.quick, "Fewer shots and rates: under a minute");
+    command->add_option("--shots", options.plan.shots, "Of each ensemble; else what suits it")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->type_name("N");
+    command->add_option("--seed", options.plan.seed, "Other shots of the same kinds")
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_option("--out", options.out, "Also writes DIR/accuracy.csv and DIR/accuracy.json")
+        ->type_name("DIR");
+    command->add_option("--only", options.only, "Only this part; any number of them")
+        ->check(CLI::IsMember(parts_of_accuracy()))
+        ->type_name("PART")
+        ->expected(1)
+        ->take_all();
+    options.bar = isatty(STDERR_FILENO) == 1;
+}
+
 Status run(const CLI::App& app, const Options& options) {
+    if (app.got_subcommand("accuracy"))
+        return measure_accuracy(options.accuracy, std::cout, std::cerr);
     if (app.got_subcommand("bench")) return bench(options.csv, std::cout, std::cerr);
     if (app.got_subcommand("hash")) return print_hashes(std::cout);
     return simulate_file(options.simulate, options.file, std::cout, std::cerr);
@@ -70,10 +95,11 @@ int run_program(int argc, char** argv) {
     Options options;
     CLI::App app(
         "Simulates scenes, and measures what that costs.\n"
-        "Exit status: 0 fine, 1 a benchmark's answer is wrong, 2 bad input.",
+        "Exit status: 0 fine, 1 a benchmark's answer is wrong, 2 bad input, 130 interrupted.",
         "poolhall-lab");
     app.require_subcommand(1);
     add_simulate(app, options);
+    add_accuracy(app, options.accuracy);
     CLI::App* bench =
         app.add_subcommand("bench", "Shots a second, ns an event, ns a ball-step, beside others");
     bench->add_option("--csv", options.csv, "Also write the table as CSV")->type_name("FILE");

@@ -77,26 +77,6 @@ std::optional<double> time_of_scratch(const ShotTrace& trace, BallIndex cue) {
     return down ? down : time_of(trace, EventKind::kOffTable, cue);
 }
 
-/// The cue ball down loses at once, even if the 8-ball is down already; the 8-ball down wins only
-/// once everything is at rest, or the shot has come to a limit.
-Ruling rule(const GameState& state, const ShotTrace& trace) {
-    Ruling ruling;
-    ruling.shooter = state.turn;
-    ruling.next = opponent(state.turn);
-    if (const auto scratch = time_of_scratch(trace, state.cue_ball)) {
-        ruling.verdict = Verdict::kScratch;
-        ruling.winner = opponent(state.turn);
-        ruling.decided_at = *scratch;
-        return ruling;
-    }
-    ruling.decided_at = trace.duration;
-    if (time_of(trace, EventKind::kBallPocket, find_ball(state.scene, kEightBallId))) {
-        ruling.verdict = Verdict::kWon;
-        ruling.winner = state.turn;
-    }
-    return ruling;
-}
-
 /// A free place on the line across the table at x, the middle if it is free. One other ball cannot
 /// block all three.
 Vec2 free_place(const Scene& scene, std::size_t moved, double x) {
@@ -149,6 +129,24 @@ ShotOutcome play(const GameState& state, const ShotCommand& command) {
 }
 
 }  // namespace
+
+Ruling end_game::rule(const GameState& state, const ShotTrace& trace) {
+    Ruling ruling;
+    ruling.shooter = state.turn;
+    ruling.next = opponent(state.turn);
+    if (const auto scratch = time_of_scratch(trace, state.cue_ball)) {
+        ruling.verdict = Verdict::kScratch;
+        ruling.winner = opponent(state.turn);
+        ruling.decided_at = *scratch;
+        return ruling;
+    }
+    ruling.decided_at = trace.duration;
+    if (time_of(trace, EventKind::kBallPocket, find_ball(state.scene, kEightBallId))) {
+        ruling.verdict = Verdict::kWon;
+        ruling.winner = state.turn;
+    }
+    return ruling;
+}
 
 constinit const Ruleset kEndGameRules{
     "end_game", new_game, place_cue_ball, nearest_placement, default_aim, check_shot, play};

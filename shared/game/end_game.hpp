@@ -20,6 +20,11 @@ inline constexpr double kStopSpeed = 0.0625;         ///< m/s; 35 px/s rounded
 inline constexpr std::string_view kCueBallId = "cue";
 inline constexpr std::string_view kEightBallId = "8";
 
+/// What the rules say of a shot that was played from this state. The cue ball down loses at once,
+/// even if the 8-ball is down already; the 8-ball down wins only once everything is at rest, or the
+/// shot has come to a limit.
+[[nodiscard]] Ruling rule(const GameState& state, const ShotTrace& trace);
+
 }  // namespace end_game
 
 extern const Ruleset kEndGameRules;

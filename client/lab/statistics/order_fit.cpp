@@ -1,10 +1,7 @@
 #include "client/lab/statistics/order_fit.hpp"
 
-#include "client/lab/statistics/quantiles.hpp"
-
 #include <boost/math/distributions/students_t.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -12,17 +9,20 @@ namespace poolhall::lab {
 
 namespace {
 
-/// Between each point and the next.
-std::vector<double> local_orders(std::span<const Point2> logs) {
-    std::vector<double> orders;
-    for (std::size_t i = 1; i < logs.size(); ++i)
-        orders.push_back((logs[i - 1].y - logs[i].y) / (logs[i].x - logs[i - 1].x));
-    return orders;
+/// Whether the point is near the line through the others.
+bool continues(std::span<const Point2> others, const Point2& point) {
+    const auto [slope, standard_error, middle] = fit_line(others);
+    const double expected = middle.y + slope * (point.x - middle.x);
+    return std::abs(point.y - expected) <= std::log(kAsymptoticFactor);
 }
 
-double median_of_highest(const std::vector<double>& orders) {
-    const auto count = std::min<std::ptrdiff_t>(3, std::ssize(orders));
-    return spread_of({orders.end() - count, orders.end()})->median;
+/// The end of the points that is straight, kLeastOrderPoints at least.
+std::span<const Point2> straight_end(std::span<const Point2> points) {
+    std::size_t count = kLeastOrderPoints;
+    while (count < points.size() &&
+           continues(points.last(count), points[points.size() - count - 1]))
+        ++count;
+    return points.last(count);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ LineFit fit_line(std::span<const Point2> points) {
         const double off = (point.y - mean.y) - slope * (point.x - mean.x);
         residual += off * off;
     }
-    return {slope, std::sqrt(residual / (count - 2) / sum_xx)};
+    return {slope, std::sqrt(residual / (count - 2) / sum_xx), mean};
 }
 
 std::optional<Order> fitted_order(std::span<const ErrorAtRate> points, double floor) {
@@ -54,19 +54,14 @@ std::optional<Order> fitted_order(std::span<const ErrorAtRate> points, double fl
         logs.push_back({std::log(hz), std::log(error)});
     }
     if (logs.size() < kLeastOrderPoints) return std::nullopt;
-    const std::vector<double> orders = local_orders(logs);
-    const double usual = median_of_highest(orders);
-    if (usual < kLeastLocalOrder) return std::nullopt;
-    std::size_t first = orders.size();
-    while (first > 0 && std::abs(orders[first - 1] - usual) <= kLocalOrderScatter)
-        --first;
-    const std::span<const Point2> range = std::span(logs).subspan(first);
-    if (range.size() < kLeastOrderPoints) return std::nullopt;
-    const auto [slope, standard_error] = fit_line(range);
+    const std::span<const Point2> range = straight_end(logs);
+    const LineFit fit = fit_line(range);
+    if (-fit.slope < kLeastOrder) return std::nullopt;
     const boost::math::students_t t(static_cast<double>(range.size() - 2));
-    const double half = boost::math::quantile(t, 0.975) * standard_error;
-    return Order{-slope,       -slope - half,    -slope + half,
-                 range.size(), points[first].hz, points[first + range.size() - 1].hz};
+    const double half = boost::math::quantile(t, 0.975) * fit.standard_error;
+    const std::size_t first = logs.size() - range.size();
+    return Order{-fit.slope,   -fit.slope - half, -fit.slope + half,
+                 range.size(), points[first].hz,  points[logs.size() - 1].hz};
 }
 
 }  // namespace poolhall::lab

@@ -6,15 +6,16 @@
 
 namespace poolhall::lab {
 
+struct Point2 {
+    double x = 0;
+    double y = 0;
+};
+
 /// A straight line through points by least squares.
 struct LineFit {
     double slope = 0;
     double standard_error = 0;  ///< of the slope
-};
-
-struct Point2 {
-    double x = 0;
-    double y = 0;
+    Point2 middle;              ///< a point of the line: the mean of the points
 };
 
 /// Through at least three points, not all with one x.
@@ -37,8 +38,8 @@ struct Order {
 };
 
 inline constexpr std::size_t kLeastOrderPoints = 4;
-inline constexpr double kLeastLocalOrder = 0.5;
-inline constexpr double kLocalOrderScatter = 0.35;
+inline constexpr double kLeastOrder = 0.5;
+inline constexpr double kAsymptoticFactor = 1.4;
 
 /// The order of convergence: the slope of log error over log hz by least squares, with Student's t
 /// interval for a slope (Draper and Smith, "Applied Regression Analysis", 1.4). The points are in
@@ -46,13 +47,12 @@ inline constexpr double kLocalOrderScatter = 0.35;
 ///
 /// - those from the first rate on at which the error is `floor` or less are left out: there it is
 ///   rounding;
-/// - the local order between two neighbours is log(error / next error) / log(next hz / hz). The
-///   range begins at the highest rate that is left and goes down as long as the local order is
-///   within kLocalOrderScatter of the median of the three highest: below it, steps are too long for
-///   the error's leading term to rule.
+/// - of those left, the range begins with the kLeastOrderPoints highest rates and goes down as long
+///   as the next lower rate's error is within a factor of kAsymptoticFactor of what a line through
+///   those taken so far says of it: below, steps are too long for the error's leading term to rule.
 ///
-/// Nothing if that median is below kLeastLocalOrder (the error does not fall) or fewer than
-/// kLeastOrderPoints points are left.
+/// Nothing if fewer than kLeastOrderPoints are left, or the order is below kLeastOrder: such an
+/// error does not fall with a power of the tick.
 [[nodiscard]] std::optional<Order> fitted_order(std::span<const ErrorAtRate> points, double floor);
 
 }  // namespace poolhall::lab
