@@ -35,29 +35,47 @@ class Cloth {
         }
     }
 
-    /// An explicit Euler step of dt (s); `happened(kind, before)` hears of what ended with it.
+    /// A step of explicit Euler, as far as it is the same for all balls.
+    struct Step {
+        Real dt = 0;      ///< s
+        Real rolled = 0;  ///< what a ball that rolls loses of its speed, m/s
+        Real slid = 0;    ///< what friction takes from one that slides, m/s
+        Real kept = 1;    ///< the share of their velocity that drag leaves them
+    };
+
+    [[nodiscard]] Step step_of(Real dt) const {
+        Step step{dt};
+        if constexpr (Set::template kHas<Rolling>)
+            step.rolled = effects_.template effect<Rolling>().lost_in(dt);
+        if constexpr (Set::template kHas<Sliding>)
+            step.slid = effects_.template effect<Sliding>().lost_in(dt);
+        if constexpr (Set::template kHas<LinearDrag>)
+            step.kept = effects_.template effect<LinearDrag>().kept_in(dt);
+        return step;
+    }
+
+    /// Takes the step; `happened(kind, before)` hears of what ended with it.
     template <class Happened>
-    void kick(MovingBall& ball, Real dt, const Happened& happened) const {
+    void kick(MovingBall& ball, const Step& step, const Happened& happened) const {
         // Rebuilt where something happens: a copy a step would cost more than the step.
         const Vec2 v = ball.v;
         const Motion motion = ball.motion;
         if constexpr (Set::template kHas<Rolling>) {
-            if (motion == Motion::kRolling && effects_.template effect<Rolling>().kick(ball, dt))
-                [[unlikely]]
+            if (motion == Motion::kRolling && Rolling::kick(ball, step.rolled)) [[unlikely]]
                 end_roll(ball, v, happened);
         }
         if constexpr (Set::template kHas<Sliding>) {
-            if (motion == Motion::kSliding && effects_.template effect<Sliding>().kick(ball, dt))
-                [[unlikely]]
+            if (motion == Motion::kSliding && Sliding::kick(ball, step.slid)) [[unlikely]]
                 end_slide(ball, v, happened);
         }
         if constexpr (Set::template kHas<Airborne>) {
             if (motion == Motion::kAirborne) [[unlikely]]
-                kick_in_air(ball, dt, happened);
+                kick_in_air(ball, step.dt, happened);
         }
-        if constexpr (Set::template kHas<SpinDecay>) kick_side_spin(ball, dt, happened);
-        if constexpr (Set::template kHas<LinearDrag>) kick_drag(ball, dt, happened);
-        effects_.for_each([&]<ForceEffect Force>(const Force& force) { force.push(ball, dt); });
+        if constexpr (Set::template kHas<SpinDecay>) kick_side_spin(ball, step.dt, happened);
+        if constexpr (Set::template kHas<LinearDrag>) kick_drag(ball, step.kept, happened);
+        effects_.for_each(
+            [&]<ForceEffect Force>(const Force& force) { force.push(ball, step.dt); });
     }
 
     /// The closed-form motion of a settled ball from time t on.
@@ -222,10 +240,13 @@ class Cloth {
 
     template <class Happened>
     void kick_side_spin(MovingBall& ball, Real dt, const Happened& happened) const {
-        if (ball.motion == Motion::kAirborne || ball.w.z == 0) return;
+        if constexpr (Set::template kHas<Airborne>) {
+            if (ball.motion == Motion::kAirborne) return;
+        }
+        if (ball.w.z == 0) return;
         const Real spin = ball.w.z;
-        ball.w.z = effects_.template effect<SpinDecay>().after(spin, ball.radius, dt);
-        if (ball.motion == Motion::kSpinning && ball.w.z == 0) [[unlikely]] {
+        const bool ended = effects_.template effect<SpinDecay>().kick(ball, dt);
+        if (ended && ball.motion == Motion::kSpinning) [[unlikely]] {
             MovingBall before = ball;
             before.w.z = spin;
             ball.motion = Motion::kStationary;
@@ -234,13 +255,18 @@ class Cloth {
     }
 
     template <class Happened>
-    void kick_drag(MovingBall& ball, Real dt, const Happened& happened) const {
-        if (ball.v == Vec2{}) return;
+    void kick_drag(MovingBall& ball, Real kept, const Happened& happened) const {
+        if (!moves_on(ball)) return;
         const Vec2 v = ball.v;
-        ball.v = effects_.template effect<LinearDrag>().euler_step(v, dt);
-        if (ball.v != Vec2{}) [[likely]]
-            return;
-        end_roll(ball, v, happened);
+        if (effects_.template effect<LinearDrag>().kick(ball, kept)) [[unlikely]]
+            end_roll(ball, v, happened);
+    }
+
+    /// Whether its centre moves. Balls that only roll are at rest when they do not.
+    [[nodiscard]] static bool moves_on(const MovingBall& ball) {
+        if constexpr (Set::template kHas<Sliding> || Set::template kHas<Airborne>)
+            return ball.v != Vec2{};
+        return ball.motion == Motion::kRolling;
     }
 
     void slide(const MovingBall& ball, Arc& arc) const {

@@ -4,6 +4,8 @@
 #include "shared/physics/arc.hpp"
 #include "shared/physics/scene.hpp"
 
+#include <algorithm>
+
 namespace poolhall {
 
 /// The original game's friction: v' = -k v, and at rest below a stop speed. Not what cloth does
@@ -28,15 +30,31 @@ class LinearDrag {
         return speed > stop_speed_ ? elementary::log(speed / stop_speed_) / k_ : 0;
     }
 
-    /// The velocity (m/s) after an explicit Euler step of dt (s).
-    [[nodiscard]] Vec2 euler_step(Vec2 v, Real dt) const {
-        const Vec2 next = (1 - k_ * dt) * v;
-        return dot(next, next) < stop_speed_ * stop_speed_ ? Vec2{} : next;
+    /// What is left of a velocity after an explicit Euler step of dt (s), its part.
+    [[nodiscard]] Real kept_in(Real dt) const { return 1 - k_ * dt; }
+
+    /// An explicit Euler step, after which that is left. True where the ball stops.
+    [[nodiscard]] bool kick(MovingBall& ball, Real kept) const {
+        ball.v = kept * ball.v;
+        return !(dot(ball.v, ball.v) >= watched_square_) && stops(ball);
     }
 
   private:
+    /// Stops a ball that is slow enough, and says so. Apart from kick(), which would otherwise keep
+    /// in registers at every step what this needs at the last.
+    [[nodiscard, gnu::noinline]] bool stops(MovingBall& ball) const {
+        if (!(dot(ball.v, ball.v) < stop_speed_ * stop_speed_) && ball.v != Vec2{}) return false;
+        ball.v = {};
+        return true;
+    }
+
+    /// (m/s)^2; a square below may be that of a ball that stops nowhere, rounded to 0.
+    static constexpr Real kTiny = 0x1p-960;
+
     Real k_;           ///< 1/s
     Real stop_speed_;  ///< m/s
+    /// Below it stops() is asked, (m/s)^2.
+    Real watched_square_ = std::max(stop_speed_ * stop_speed_, kTiny);
 };
 
 }  // namespace poolhall

@@ -18,10 +18,12 @@ class Rolling {
 
     [[nodiscard]] Real deceleration() const { return mu_g_; }  ///< m/s^2
 
-    /// An explicit Euler step of dt (s) of a ball that rolls. True where it stops.
-    [[nodiscard]] bool kick(MovingBall& ball, Real dt) const {
+    /// What a ball that rolls loses of its speed in dt s, m/s.
+    [[nodiscard]] Real lost_in(Real dt) const { return mu_g_ * dt; }
+
+    /// An explicit Euler step of a ball that rolls, in which it loses that. True where it stops.
+    [[nodiscard]] static bool kick(MovingBall& ball, Real lost) {
         const Real speed = norm(ball.v);
-        const Real lost = mu_g_ * dt;
         if (lost >= speed) {
             // The square of a speed below 1e-162 m/s is 0.
             if (lost == 0) return false;

@@ -55,12 +55,14 @@ class Sliding {
         ball.w.y = ball.w.y + turn * impulse.x;
     }
 
-    /// An explicit Euler step of dt (s) of a ball that slips. The slip never turns round: where it
-    /// would, the ball rolls from here on, and the step says true.
-    [[nodiscard]] bool kick(MovingBall& ball, Real dt) const {
+    /// What friction takes from the velocity of a ball that slips in dt s, m/s.
+    [[nodiscard]] Real lost_in(Real dt) const { return mu_g_ * dt; }
+
+    /// An explicit Euler step of a ball that slips, in which friction takes that. The slip never
+    /// turns round: where it would, the ball rolls from here on, and the step says true.
+    [[nodiscard]] static bool kick(MovingBall& ball, Real lost) {
         const Vec2 u = slip(ball);
         const Real speed = norm(u);
-        const Real lost = mu_g_ * dt;
         if (7 * lost >= 2 * speed) {
             ball.v = velocity_after(ball.v, u);
             return true;

@@ -10,26 +10,35 @@ namespace poolhall {
 class SpinDecay {
   public:
     explicit SpinDecay(const Scene& scene)
-        : mu_g_(called_for(scene) ? scene.effects.spin_decay->mu * scene.gravity : 0) {}
+        : torque_(called_for(scene) ? 5 * (scene.effects.spin_decay->mu * scene.gravity) : 0) {}
 
     [[nodiscard]] static bool called_for(const Scene& scene) {
         return scene.effects.spin_decay && scene.effects.spin_decay->mu * scene.gravity > 0;
     }
 
-    [[nodiscard]] bool active() const { return mu_g_ > 0; }
+    [[nodiscard]] bool active() const { return torque_ > 0; }
 
     /// rad/s^2
-    [[nodiscard]] Real rate(Real radius) const { return 5 * mu_g_ / (2 * radius); }
+    [[nodiscard]] Real rate(Real radius) const { return torque_ / (2 * radius); }
 
-    /// The spin wz (rad/s) after dt (s).
-    [[nodiscard]] Real after(Real spin, Real radius, Real dt) const {
-        const Real lost = rate(radius) * dt;
-        if (spin > lost) return spin - lost;
-        return spin < -lost ? spin + lost : 0;
+    /// A step of dt (s), which is exact. True where the spin ends.
+    [[nodiscard]] bool kick(MovingBall& ball, Real dt) const {
+        const Real lost = rate(ball.radius) * dt;
+        const Real spin = ball.w.z;
+        if (spin > lost) {
+            ball.w.z = spin - lost;
+            return false;
+        }
+        if (spin < -lost) {
+            ball.w.z = spin + lost;
+            return false;
+        }
+        ball.w.z = 0;
+        return true;
     }
 
   private:
-    Real mu_g_;  ///< m/s^2
+    Real torque_;  ///< 5 mu g, m/s^2
 };
 
 }  // namespace poolhall

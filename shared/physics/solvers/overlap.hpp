@@ -165,10 +165,11 @@ class OverlapSolver {
     }
 
     void kick_all(Real dt, Real end) {
+        const auto step = cloth_.step_of(dt);
         for (std::size_t i = 0; i < run_.balls().size(); ++i) {
             MovingBall& ball = run_.balls()[i];
             if (!in_play(ball) || ball.motion == Motion::kStationary) continue;
-            cloth_.kick(ball, dt, [&](EventKind kind, const MovingBall& before) {
+            cloth_.kick(ball, step, [&](EventKind kind, const MovingBall& before) {
                 run_.record(end, kind, i, before);
             });
         }

@@ -121,6 +121,7 @@ class SteppingSolver {
 
     void kick_all(Real dt, Real t) {
         MovingBall* const balls = balls_.data();
+        const auto step = cloth_.step_of(dt);
         std::size_t kicked = 0;
         bool changed = false;
         const auto happened = [&](EventKind kind, const MovingBall& before) {
@@ -129,7 +130,7 @@ class SteppingSolver {
         };
         for (const std::size_t i : work_.stepping.moving) {
             kicked = i;
-            cloth_.kick(balls[i], dt, happened);
+            cloth_.kick(balls[i], step, happened);
             // Friction may turn two balls towards each other again.
             if constexpr (Set::template kHas<Sliding>) balls[i].partner = MovingBall::kNobody;
         }

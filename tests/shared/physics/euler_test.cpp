@@ -46,6 +46,19 @@ TEST(Euler, FreeRollIsTheGeometricSum) {
     EXPECT_EQ(Motion::kStationary, trace.balls[0].motion);
 }
 
+TEST(Euler, BallThatDragLeavesNoSpeedIsAtRestInEveryKernel) {
+    // All of its speed is lost in one tick; there is no stop speed that it could fall below.
+    Scene scene = testing::scene_of({0, 0}, {1, 0.5});
+    scene.effects.linear_drag = LinearDragSpec{30, 0};
+    for (const std::string_view kernel : kernel_names()) {
+        ShotTrace trace;
+        if (!simulate_by(kernel, scene, 0, trace)) continue;
+        EXPECT_EQ(Outcome::kRest, trace.outcome) << kernel;
+        EXPECT_EQ(1U, trace.ticks) << kernel;
+        EXPECT_EQ(1U, count(trace, EventKind::kRollToRest)) << kernel;
+    }
+}
+
 TEST(Euler, ErrorOfTheDragFallsWithTheFirstOrder) {
     // Without a stop speed, r(t) = (v / k) (1 - exp(-k t)).
     Scene scene = shot_of_the_original();
