@@ -7,7 +7,7 @@ namespace poolhall {
 #if __LDBL_MANT_DIG__ == 113
 using Real = long double;
 #else
-__extension__ typedef __float128 Real;
+__extension__ typedef __float128 Real;  // NOLINT(modernize-use-using): __extension__ takes no using
 #endif
 inline constexpr int kRealDigits = 113;
 

@@ -1,7 +1,7 @@
 // Whole shots against two other programs: one in 113-bit arithmetic, which bounds rounding, and
 // pooltool, which bounds mistakes of the model.
 
-#include "tests/shared/reference.hpp"
+#include "tests/shared/quad_shots.hpp"
 #include "tests/shared/solvers.hpp"
 #include "tests/shared/traces.hpp"
 
@@ -14,51 +14,12 @@ namespace {
 
 using nlohmann::json;
 using testing::final_place;
-
-double number(const json& value) {
-    return value.is_string() ? std::strtod(value.get<std::string>().c_str(), nullptr)
-                             : value.get<double>();
-}
+using testing::number;
 
 // --- quad_shots.json -----------------------------------------------------------------------------
 
 constexpr int kFirstRail = 102;    ///< in the file: W, E, S, N
 constexpr int kFirstPocket = 110;  ///< in the file: SW, S, SE, NW, N, NE
-
-/// The circles of the file's model, in its order of pockets.
-std::vector<PocketCircle> circles(const Table& table) {
-    const double x = table.length / 2;
-    const double y = table.width / 2;
-    return {{"SW", {-x, -y}, 0.06}, {"S", {0, -y}, 0.05}, {"SE", {x, -y}, 0.06},
-            {"NW", {-x, y}, 0.06},  {"N", {0, y}, 0.05},  {"NE", {x, y}, 0.06}};
-}
-
-Scene quad_scene(const json& model, const json& shot) {
-    Scene scene;
-    scene.table.length = model.at("table_w");
-    scene.table.width = model.at("table_h");
-    scene.table.pockets = PocketModel::kCircles;
-    scene.table.circles = circles(scene.table);
-    scene.ball.radius = model.at("R");
-    scene.gravity = model.at("g");
-    scene.effects = testing::cloth_effects();
-    scene.effects.sliding->mu = model.at("mu_s");
-    scene.effects.rolling->mu = model.at("mu_r");
-    scene.effects.ball_ball.e = model.at("e_ball");
-    scene.effects.ball_ball.min_separation = model.at("min_separation_speed");
-    scene.effects.rail.e = model.at("e_rail");
-    scene.solver.kind = SolverKind::kEvent;
-    for (const json& ball : shot.at("balls")) {
-        const json& in = ball.at("in");
-        SceneBall one{std::to_string(scene.balls.size()), {}};
-        one.state.r = {number(in[0]) - scene.table.length / 2,
-                       number(in[1]) - scene.table.width / 2, 0};
-        one.state.v = {number(in[2]), number(in[3]), 0};
-        one.state.w = {number(in[4]), number(in[5]), 0};
-        scene.balls.push_back(one);
-    }
-    return scene;
-}
 
 /// An impact as the file writes it: ball, other ball or rail or pocket, time.
 struct Impact {
@@ -96,7 +57,7 @@ void expect_impacts(const json& expected, const std::vector<Impact>& impacts, do
 
 void expect_quad_shot(const json& model, const json& shot, double tolerance) {
     SCOPED_TRACE(shot.at("id").get<std::string>());
-    const Scene scene = quad_scene(model, shot);
+    const Scene scene = testing::quad_scene(model, shot);
     const ShotTrace trace = simulate(scene);
     ASSERT_EQ(Outcome::kRest, trace.outcome);
     // A place that is so far off is passed later by that over a speed of some mm/s.
