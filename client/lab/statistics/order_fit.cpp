@@ -25,6 +25,16 @@ std::span<const Point2> straight_end(std::span<const Point2> points) {
     return points.last(count);
 }
 
+/// The highest rates in a row whose errors are more than `floor`.
+std::span<const ErrorAtRate> above_floor(std::span<const ErrorAtRate> points, double floor) {
+    while (!points.empty() && !(points.back().error > floor))
+        points = points.first(points.size() - 1);
+    std::size_t count = 0;
+    while (count < points.size() && points[points.size() - count - 1].error > floor)
+        ++count;
+    return points.last(count);
+}
+
 }  // namespace
 
 LineFit fit_line(std::span<const Point2> points) {
@@ -48,11 +58,10 @@ LineFit fit_line(std::span<const Point2> points) {
 }
 
 std::optional<Order> fitted_order(std::span<const ErrorAtRate> points, double floor) {
+    const std::span<const ErrorAtRate> clear = above_floor(points, floor);
     std::vector<Point2> logs;
-    for (const auto& [hz, error] : points) {
-        if (!(error > floor)) break;
+    for (const auto& [hz, error] : clear)
         logs.push_back({std::log(hz), std::log(error)});
-    }
     if (logs.size() < kLeastOrderPoints) return std::nullopt;
     const std::span<const Point2> range = straight_end(logs);
     const LineFit fit = fit_line(range);
@@ -61,7 +70,7 @@ std::optional<Order> fitted_order(std::span<const ErrorAtRate> points, double fl
     const double half = boost::math::quantile(t, 0.975) * fit.standard_error;
     const std::size_t first = logs.size() - range.size();
     return Order{-fit.slope,   -fit.slope - half, -fit.slope + half,
-                 range.size(), points[first].hz,  points[logs.size() - 1].hz};
+                 range.size(), clear[first].hz,   clear.back().hz};
 }
 
 }  // namespace poolhall::lab

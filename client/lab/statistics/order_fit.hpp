@@ -45,8 +45,9 @@ inline constexpr double kAsymptoticFactor = 1.4;
 /// interval for a slope (Draper and Smith, "Applied Regression Analysis", 1.4). The points are in
 /// ascending order of hz. Taken are only those in the asymptotic range:
 ///
-/// - those from the first rate on at which the error is `floor` or less are left out: there it is
-///   rounding;
+/// - the highest rates at which the error is `floor` or less are left out: there it is rounding;
+/// and
+///   all below a lower rate at which it is;
 /// - of those left, the range begins with the kLeastOrderPoints highest rates and goes down as long
 ///   as the next lower rate's error is within a factor of kAsymptoticFactor of what a line through
 ///   those taken so far says of it: below, steps are too long for the error's leading term to rule.

@@ -175,9 +175,27 @@ TEST_F(LabProgram, RefusesFilesThatCannotBeRead) {
 TEST_F(LabProgram, RefusesBadOptions) {
     for (const char* arguments :
          {"", "simulate --solver rk4", "simulate --sample nan", "simulate --sample -1",
-          "simulate a b", "fly", "bench --csv /nowhere/x.csv"})
+          "simulate a b", "fly", "bench --csv /nowhere/x.csv", "accuracy --shots 0",
+          "accuracy --shots many", "accuracy --seed -1", "accuracy --only three_balls",
+          "accuracy --out /proc/nowhere", "accuracy 7"})
         EXPECT_EQ(run(arguments).status, 2) << arguments;
     EXPECT_EQ(run("--help").status, 0);
+}
+
+TEST_F(LabProgram, AccuracyEndsAtCtrlC) {
+    const std::string accuracy =
+        POOLHALL_LAB " accuracy --shots 100000 --only one_ball --out " + path("out");
+    const std::string script =
+        accuracy + " >" + path("text") + " 2>" + path("error") +
+        " & program=$!; sleep 1; kill -INT $program; wait $program; echo $? >" + path("status");
+    // Without job control a shell makes its background programs deaf to Ctrl-C.
+    ASSERT_EQ(std::system(("bash -m -c '" + script + "'").c_str()), 0);
+    EXPECT_EQ(lines_of(path("status")), std::vector<std::string>{"130"});
+    EXPECT_EQ(lines_of(path("error")),
+              std::vector<std::string>{"poolhall-lab: interrupted; what was finished is in " +
+                                       path("out")});
+    std::ifstream in(path("out") + "/accuracy.json");
+    EXPECT_EQ(Json::parse(in)["complete"], false);
 }
 
 TEST_F(LabProgram, SaysThatItsOutputCannotBeWritten) {

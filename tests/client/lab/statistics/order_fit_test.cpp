@@ -48,6 +48,15 @@ TEST(OrderFit, LeavesOutTheRoundingFloor) {
     EXPECT_EQ(order->to_hz, 480);
 }
 
+TEST(OrderFit, LeavesOutLowRatesWithoutAnError) {
+    // At low rates nothing is comparable, and what is compared is equal.
+    const auto order =
+        fitted_order(errors_of([](double hz) { return hz < 60 ? 1e-16 : 1 / hz; }), 1e-14);
+    ASSERT_TRUE(order);
+    EXPECT_NEAR(order->order, 1, 1e-12);
+    EXPECT_EQ(order->from_hz, 60);
+}
+
 TEST(OrderFit, LeavesOutRatesAtWhichTheErrorDoesNotYetFall) {
     // No ball is farther off than the table is long.
     const auto errors = errors_of([](double hz) { return std::min(2.0, 700 / hz); });
