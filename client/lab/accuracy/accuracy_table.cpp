@@ -37,26 +37,19 @@ std::string length(double metres) {
 }
 
 std::string duration(double ns) {
+    if (ns > 0 && ns < 1e-3) return formatted("%.0e s", ns / 1e9);
     if (ns < 1e3) return formatted("%.3g ns", ns);
     return ns < 1e6 ? formatted("%.3g us", ns / 1e3) : formatted("%.3g ms", ns / 1e6);
-}
-
-std::string median_of(const std::optional<Spread>& spread) {
-    return spread ? short_text(spread->median) : "-";
 }
 
 std::vector<std::string> line_of(const AccuracyPoint& point) {
     return {label(point.solver),
             duration(point.cost.ns),
-            point.cost.instructions ? short_text(*point.cost.instructions) : "-",
             duration(point.cost.worst_tick_ns),
             length(point.rest_error.median),
             length(point.rest_error.p90),
             length(point.rest_error.max),
-            median_of(point.impact_time_error),
-            median_of(point.impact_place_error),
-            median_of(point.impact_velocity_error),
-            short_text(point.energy_drift.median),
+            point.impact_time_error ? duration(1e9 * point.impact_time_error->median) : "-",
             per_cent(point.matching_share),
             formatted("%.2f s", point.horizon_median),
             per_cent(point.verdict_flips),
@@ -100,9 +93,8 @@ void print_table(std::ostream& out, const EnsembleResult& result) {
         << result.title << " (" << result.name << "): " << result.shots << " shots against "
         << result.reference << ", itself good to " << length(result.reference_error) << "\n\n";
     Columns points(Columns::Align::kRight);
-    points.add({"solver", "CPU/shot", "instr.", "worst tick", "rest median", "90 %", "max",
-                "impact t, s", "r, m", "v, m/s", "energy", "same events", "until", "verdict flips",
-                "winner", "missed", "invented"});
+    points.add({"solver", "CPU", "worst tick", "rest", "90 %", "max", "impact", "same", "until",
+                "verdicts", "winners", "missed", "invented"});
     for (const AccuracyPoint& point : result.points)
         points.add(line_of(point));
     points.print(out);
