@@ -153,7 +153,7 @@ std::string first_difference(const Scene& scene, const Agreement& agreement,
     if (agreement.complete()) return "";
     if (!agreement.lacking)
         return told(other.events[*agreement.instead]) + " in " + name_of_other + " only";
-    const std::string lacking =
+    std::string lacking =
         told(reference.events[*agreement.lacking]) + ", but not in " + name_of_other;
     if (!agreement.instead) return lacking;
     return lacking + ", where " + told(other.events[*agreement.instead]) + " instead";

@@ -114,12 +114,12 @@ class EnsembleRun {
 
 std::vector<SolverSpec> solvers_for(const Ensemble& ensemble, Scene scene, const RunPlan& plan) {
     std::vector<SolverSpec> solvers;
-    const double lowest = plan.quick ? 30 : 15;
-    const double highest = plan.quick ? ensemble.quick_max_hz : 7680;
+    const int lowest = plan.quick ? 30 : 15;
+    const int highest = plan.quick ? ensemble.quick_max_hz : 7680;
     for (const SolverKind kind : {SolverKind::kEuler, SolverKind::kSemiImplicit,
                                   SolverKind::kExactArc, SolverKind::kOverlap}) {
-        for (double hz = lowest; hz <= highest; hz *= 2) {
-            scene.solver = {kind, hz};
+        for (int hz = lowest; hz <= highest; hz *= 2) {
+            scene.solver = {kind, static_cast<double>(hz)};
             if (!check(scene)) solvers.push_back(scene.solver);
         }
     }

@@ -36,7 +36,7 @@ struct Ensemble {
     double sample_hz;         ///< for the error within a shot
     ReferenceKind reference = ReferenceKind::kEventIn113Bits;
     WinnerRule winner = WinnerRule::kNone;
-    double quick_max_hz = 1920;  ///< the highest rate of a quick run
+    int quick_max_hz = 1920;  ///< the highest rate of a quick run
 };
 
 [[nodiscard]] std::span<const Ensemble> ensembles();

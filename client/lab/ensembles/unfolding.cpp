@@ -13,7 +13,7 @@ using Quad = boost::multiprecision::cpp_bin_float_quad;
 /// One coordinate of the unfolded way.
 class Axis {
   public:
-    Axis(Quad start, Quad speed, double edge, Rail positive, Rail negative)
+    Axis(const Quad& start, const Quad& speed, double edge, Rail positive, Rail negative)
         : start_(start),
           speed_(speed),
           edge_(edge),
