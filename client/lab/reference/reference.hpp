@@ -25,6 +25,10 @@ enum class RailPlaces {
 /// rack; and Mathavan's rail, which is integrated in the same steps to the same tolerance, so that
 /// the error of the integration is not seen.
 ///
+/// Where events of a shot in doubles are compared with it: a ball whose spin is that of rolling to
+/// the last bit of a double slides for some 1e-17 s first, which is an event; and what happens at
+/// one instant, as two slides that began in the same impact end, may be told in another order.
+///
 /// The scene must have passed check() for the event solver; its `solver` is not looked at. One at a
 /// time a thread. Memory is used again from shot to shot.
 class ReferenceSimulator {
