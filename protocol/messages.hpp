@@ -298,6 +298,7 @@ struct ShotEnded {
     Outcome outcome = Outcome::kRest;
     std::string kernel;
     SolverKind solver = SolverKind::kEuler;
+    double cpu_us = 0;             ///< what the server spent on simulating it, microseconds
     std::vector<FinalBall> balls;  ///< exact, in the order of the shot's scene
     std::uint64_t hash = 0;
     Ruling ruling;

@@ -184,6 +184,7 @@ inline constexpr auto kFields<ShotEnded> = std::tuple{
     field("outcome", &ShotEnded::outcome),
     field("kernel", &ShotEnded::kernel, Text{1, kMaxLabelBytes}),
     field("solver", &ShotEnded::solver),
+    field("cpu_us", &ShotEnded::cpu_us, Real{0, kAnyMagnitude}),
     field("balls", &ShotEnded::balls, List<FinalBallCodec>{{}, kMaxBalls}),
     field("hash", &ShotEnded::hash, Hash{}),
     field("ruling", &ShotEnded::ruling),

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 #include <string>
 #include <utility>
@@ -49,6 +51,19 @@ HttpReply list_matches(const Lobby& lobby) {
     return json_reply({{"matches", std::move(matches)}});
 }
 
+/// CPU time of simulations, as a summary without quantiles.
+std::string metrics_of(const ShotCosts& costs) {
+    std::string text = "# TYPE poolhall_shot_cpu_seconds summary\n";
+    for (const ShotCosts::Sum& sum : costs.sums()) {
+        const std::string labels =
+            fmt::format("{{solver=\"{}\",kernel=\"{}\"}}", name(sum.solver), sum.kernel);
+        const std::chrono::duration<double> seconds = sum.cpu;
+        text += fmt::format("poolhall_shot_cpu_seconds_sum{} {}\n", labels, seconds.count());
+        text += fmt::format("poolhall_shot_cpu_seconds_count{} {}\n", labels, sum.shots);
+    }
+    return text;
+}
+
 HttpReply metrics(const Counters& counters) {
     std::string text;
     const auto add = [&](std::string_view name, std::string_view type, auto value) {
@@ -62,6 +77,7 @@ HttpReply metrics(const Counters& counters) {
     add("messages_sent_total", "counter", counters.messages_sent.load());
     add("message_bytes_sent_total", "counter", counters.bytes_sent.load());
     add("rejects_total", "counter", counters.rejects.load());
+    text += metrics_of(counters.shot_costs);
     return {200, "text/plain; version=0.0.4", std::move(text), {}};
 }
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <string_view>
 #include <utility>
 
 namespace poolhall::server {
 
 using protocol::Phase;
+using Microseconds = std::chrono::duration<double, std::micro>;
 
 Match::Match(MatchSpec spec) : spec_(std::move(spec)) {
     begin_game(spec_.first);
@@ -158,10 +160,10 @@ void Match::place_cue_ball(Vec2 position) {
     aim_ = rules().default_aim(game_);
 }
 
-void Match::start_shot(ShotOutcome outcome) {
+void Match::start_shot(ShotOutcome outcome, std::chrono::nanoseconds cpu) {
     assert(!playout_);
     ++shots_;
-    playout_.emplace(shots_, std::move(outcome));
+    playout_.emplace(shots_, std::move(outcome), cpu);
 }
 
 protocol::ShotEnded Match::finish_shot() {
@@ -180,6 +182,7 @@ protocol::ShotEnded Match::finish_shot() {
             trace.outcome,
             std::string(trace.kernel),
             trace.solver,
+            Microseconds(playout.cpu()).count(),
             trace.balls,
             trace.hash,
             outcome.ruling,

@@ -104,8 +104,8 @@ class Match {
 
     /// Moves the cue ball; the aim turns to where the rules point it.
     void place_cue_ball(Vec2 position);
-    /// Begins to show a shot that the rules have played from game().
-    void start_shot(ShotOutcome outcome);
+    /// Begins to show a shot that the rules have played from game(), for that much CPU time.
+    void start_shot(ShotOutcome outcome, std::chrono::nanoseconds cpu);
 
     [[nodiscard]] protocol::Frame advance(std::uint32_t tick) { return playout_->advance(tick); }
 

@@ -10,8 +10,8 @@ namespace poolhall::server {
 
 using protocol::Frame;
 
-Playout::Playout(std::uint32_t shot, ShotOutcome outcome)
-    : shot_(shot), outcome_(std::move(outcome)) {
+Playout::Playout(std::uint32_t shot, ShotOutcome outcome, std::chrono::nanoseconds cpu)
+    : shot_(shot), outcome_(std::move(outcome)), cpu_(cpu) {
     assert(outcome_.trace.sample_hz == kPlayoutHz);
 }
 

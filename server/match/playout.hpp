@@ -3,6 +3,7 @@
 #include "protocol/messages.hpp"
 #include "shared/game/game_state.hpp"
 
+#include <chrono>
 #include <cstdint>
 
 namespace poolhall::server {
@@ -10,8 +11,9 @@ namespace poolhall::server {
 /// A shot that has been simulated to its end and is now shown, tick by tick at kPlayoutHz.
 class Playout {
   public:
-    /// `outcome.trace` must hold samples at kPlayoutHz. `shot` counts from 1 within the match.
-    Playout(std::uint32_t shot, ShotOutcome outcome);
+    /// `outcome.trace` must hold samples at kPlayoutHz. `shot` counts from 1 within the match;
+    /// `cpu` is what its simulation cost.
+    Playout(std::uint32_t shot, ShotOutcome outcome, std::chrono::nanoseconds cpu);
 
     /// The frame of `tick`, with all that happened since the last one asked for; ticks may be
     /// skipped. `tick` must lie above the last and not above last_tick().
@@ -30,6 +32,8 @@ class Playout {
 
     [[nodiscard]] const ShotOutcome& outcome() const { return outcome_; }
 
+    [[nodiscard]] std::chrono::nanoseconds cpu() const { return cpu_; }
+
   private:
     /// Where the ball is at the tick, m.
     [[nodiscard]] Vec2 place(std::size_t ball, std::uint32_t tick) const;
@@ -38,6 +42,7 @@ class Playout {
     std::uint32_t tick_ = 0;
     std::size_t next_event_ = 0;
     ShotOutcome outcome_;
+    std::chrono::nanoseconds cpu_;
 };
 
 /// `newer` as a client that missed `older` needs it: balls that moved in either, the events of

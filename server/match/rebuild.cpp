@@ -67,7 +67,7 @@ class Rebuilder {
             return shot + " DIVERGED: logged " + to_hex(record.final_hash) + ", simulated " +
                    to_hex(outcome.trace.hash);
         if (outcome.ruling != record.ruling) return shot + " was ruled otherwise";
-        match_->start_shot(std::move(outcome));
+        match_->start_shot(std::move(outcome), {});
         match_->finish_shot();
         return {};
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "server/room/shot_costs.hpp"
+
 #include <atomic>
 #include <cstdint>
 
@@ -14,6 +16,7 @@ struct Counters {
     std::atomic<std::uint64_t> messages_sent{0};
     std::atomic<std::uint64_t> bytes_sent{0};  ///< of messages, without WebSocket headers
     std::atomic<std::uint64_t> rejects{0};
+    ShotCosts shot_costs;
 };
 
 }  // namespace poolhall::server

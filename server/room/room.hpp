@@ -98,7 +98,7 @@ class Room : public std::enable_shared_from_this<Room> {
                                     const TokenHash& token) const;
     [[nodiscard]] StoreJob shot_job(const ShotOutcome& outcome, Seat seat) const;
 
-    void start_shot(ShotOutcome outcome, Seat seat);
+    void start_shot(ShotOutcome outcome, Seat seat, std::chrono::nanoseconds cpu);
     void schedule_tick();
     void tick();
     void start_next_game(const Request& request);

@@ -1,4 +1,5 @@
 // The game: aims, shots and their playout, rematches.
+#include "server/app/cpu_time.hpp"
 #include "server/app/identity.hpp"
 #include "server/room/room.hpp"
 #include "shared/physics/simulate.hpp"
@@ -28,7 +29,9 @@ void Room::on(const Request& request, const protocol::PlaceCueBall& command) {
 }
 
 void Room::on(const Request& request, const protocol::Shoot& command) {
+    const auto begin = cpu_time_of_thread();
     ShotOutcome outcome = match_.rules().play(match_.game(), {command.direction});
+    const auto cpu = cpu_time_of_thread() - begin;
     StoreJob job = shot_job(outcome, command.seat);
     store({std::move(job)}, [=, this, outcome = std::move(outcome)](const auto& error) {
         if (error) {
@@ -38,7 +41,7 @@ void Room::on(const Request& request, const protocol::Shoot& command) {
         }
         match_.set_aim(command.direction);
         accept(request);
-        start_shot(outcome, command.seat);
+        start_shot(outcome, command.seat, cpu);
         finish(request);
     });
 }
@@ -68,11 +71,12 @@ void Room::on(const Request& request, const protocol::Ping&) {
     finish(request);
 }
 
-void Room::start_shot(ShotOutcome outcome, Seat seat) {
+void Room::start_shot(ShotOutcome outcome, Seat seat, std::chrono::nanoseconds cpu) {
     protocol::ShotStarted started{
         match_.shots() + 1, seat, outcome.scene, hash_of(outcome.scene), {}};
     const std::uint64_t final_hash = outcome.trace.hash;
-    match_.start_shot(std::move(outcome));
+    services_.counters.shot_costs.add(outcome.trace.solver, outcome.trace.kernel, cpu);
+    match_.start_shot(std::move(outcome), cpu);
     followers_.send(started, Stream::kStates);
     started.final_hash = final_hash;
     followers_.send(started, Stream::kShots);

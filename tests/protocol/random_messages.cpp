@@ -166,6 +166,7 @@ ShotEnded shot_ended(Random& random) {
     result.outcome = any_of<Outcome>(random);
     result.kernel = "drag";
     result.solver = any_of<SolverKind>(random);
+    result.cpu_us = random.real(10) + 10;
     for (std::size_t i = random.below(4); i > 0; --i)
         result.balls.push_back(final_ball(random));
     result.hash = random.word();

@@ -59,7 +59,7 @@ TEST_F(Gate, RulesRefuseWhatIsIllegal) {
 }
 
 TEST_F(Gate, NothingTouchesTheGameWhileAShotRuns) {
-    match.start_shot(match.rules().play(match.game(), {{-1, 0.02}}));
+    match.start_shot(match.rules().play(match.game(), {{-1, 0.02}}), {});
     EXPECT_EQ(ask(kAda, Aim{Seat{0}, {1, 0}}), "wrong_phase");
     EXPECT_EQ(ask(kAda, PlaceCueBall{Seat{0}, {end_game::kBaseLineX, 0.1}}), "wrong_phase");
     EXPECT_EQ(ask(kAda, Shoot{Seat{0}, {1, 0}}), "wrong_phase");

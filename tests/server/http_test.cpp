@@ -87,6 +87,21 @@ TEST(Http, MetricsCountShots) {
     EXPECT_NE(metrics.find("\npoolhall_sessions 2\n"), std::string::npos) << metrics;
 }
 
+TEST(Http, MetricsTellWhatSimulationsCostBySolverAndKernel) {
+    RunningServer server;
+    Table table(server);
+    const double cpu_us = table.play(Seat{0}, kScratchDirection).cpu_us;
+    EXPECT_GT(cpu_us, 0);
+    const std::string metrics = http_get(server.address(), "/metrics").body;
+    const std::string labels = R"({solver="euler",kernel="drag_rails_pockets"} )";
+    EXPECT_NE(metrics.find("poolhall_shot_cpu_seconds_count" + labels + "1\n"), std::string::npos)
+        << metrics;
+    const std::string sum = "poolhall_shot_cpu_seconds_sum" + labels;
+    const std::size_t at = metrics.find(sum);
+    ASSERT_NE(at, std::string::npos) << metrics;
+    EXPECT_DOUBLE_EQ(std::stod(metrics.substr(at + sum.size())) * 1e6, cpu_us);
+}
+
 TEST(Http, HandshakesThatAreRefusedGetAnHttpAnswer) {
     RunningServer server;
     ConnectSpec spec = server.json();

@@ -26,7 +26,7 @@ Match seated() {
 }
 
 protocol::ShotEnded play(Match& match, Vec2 direction) {
-    match.start_shot(match.rules().play(match.game(), {direction}));
+    match.start_shot(match.rules().play(match.game(), {direction}), std::chrono::microseconds(14));
     return match.finish_shot();
 }
 
@@ -54,7 +54,7 @@ TEST(Match, ShotRunsFromStartToFinishAndPassesTheTurn) {
     const GameState before = match.game();
     ShotOutcome outcome = match.rules().play(before, {kSafe});
     const std::uint64_t hash = outcome.trace.hash;
-    match.start_shot(std::move(outcome));
+    match.start_shot(std::move(outcome), {});
     EXPECT_EQ(match.phase(), Phase::kPlaying);
     EXPECT_EQ(match.game(), before) << "the state is the one before the shot until it ends";
     EXPECT_TRUE(match.table().live.has_value());

@@ -15,7 +15,7 @@ using protocol::Frame;
 
 Playout playout() {
     const GameState state = kEndGameRules.new_game(Seat{0});
-    return {1, kEndGameRules.play(state, {{1, 0.01}})};
+    return {1, kEndGameRules.play(state, {{1, 0.01}}), {}};
 }
 
 std::vector<double> times(const std::vector<ShotEvent>& events) {
@@ -41,7 +41,7 @@ TEST(Playout, EveryEventFallsInTheFrameOfItsTick) {
 /// Plays a shot of real pool and shows it tick by tick.
 void expect_whole_playout(const SolverSpec& solver) {
     const GameState state = new_game(kEndGameRules, Seat{0}, poolhall::test::pool_settings(solver));
-    Playout playout(1, kEndGameRules.play(state, {{1, 0.03}}));
+    Playout playout(1, kEndGameRules.play(state, {{1, 0.03}}), {});
     const ShotTrace& trace = playout.outcome().trace;
     std::vector<Vec2> shown{xy(trace.sample(0, 0)), xy(trace.sample(0, 1))};
     std::vector<double> seen;
@@ -77,7 +77,7 @@ TEST(Playout, ShotThatIsOverAtOnceIsShownForATick) {
     GameState state = new_game(kEndGameRules, Seat{0}, settings);
     const double edge = inset(state.scene.table, state.scene.ball.radius).x;
     set_xy(state.scene.balls[0].state.r, {-edge, 0.2});
-    Playout playout(1, kEndGameRules.play(state, {{-1, 0}}));
+    Playout playout(1, kEndGameRules.play(state, {{-1, 0}}), {});
     ASSERT_EQ(playout.outcome().trace.duration, 0);
     ASSERT_EQ(playout.last_tick(), 1U);
     EXPECT_EQ(playout.live().balls.size(), 2U);

@@ -36,7 +36,7 @@ struct Logged {
         record.game_number = 1;
         record.seat = match.game().turn;
         stored.records.emplace_back(record);
-        match.start_shot(std::move(outcome));
+        match.start_shot(std::move(outcome), {});
         match.finish_shot();
     }
 
