@@ -33,7 +33,7 @@ DEFINITIONS = """\
 - **Events that match**: the part of the reference's collisions, pocketings and so on, from the start, that the solver has
   in the same order. The **horizon** is the time at which that ends: up to it places can be compared, after it only
   statistics.
-- **Missed, invented**: collisions that only the reference has, and that only the solver has.
+- **Missed, invented**: collisions between balls that only the reference has, and that only the solver has.
 - **First impact**: when, where and how fast the first collision of a shot is.
 - **Energy**: how far the balls' energy is off while the events match, as a part of the energy at the start.
 - **Order**: p, where the error falls as 1/rate^p: with p = 1, twice the rate halves the error; with p = 2 it quarters it.
@@ -43,6 +43,9 @@ DEFINITIONS = """\
   neighbours on it may change places.
 - **A tenth of the error**: from its rate with the largest median error to that with the smallest, the error falls E times
   and the time grows C times; a tenth then costs C^(1 / log10 E) times the time."""
+
+
+TO_THE_LETTER = "`client/lab/accuracy/README.md` has each of these to the letter."
 
 
 def _picture(name, text):
@@ -193,7 +196,7 @@ def markdown(accuracy, effects, picture):
         _measured_or_not("Tunnelling", accuracy["tunnelling"], "tunnelling", "Collisions missed, against speed"),
         _measured_or_not("Many balls", accuracy["crowds"], "crowds", "Cost of a shot, against the number of balls"),
         _effects(effects), _comparison(picture),
-        f"## What the words mean\n\n{SOLVERS}\n\n{DEFINITIONS}\n\n{_ensembles(accuracy)}",
+        f"## What the words mean\n\n{SOLVERS}\n\n{DEFINITIONS}\n\n{TO_THE_LETTER}\n\n{_ensembles(accuracy)}",
         f"""## Again
 
     ./poolhall report{' ' + again if again else ''}
