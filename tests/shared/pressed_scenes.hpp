@@ -4,6 +4,7 @@
 #include "tests/shared/scenes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace poolhall::testing {
@@ -13,7 +14,7 @@ namespace poolhall::testing {
 inline std::vector<Vec2> cluster(Random& random) {
     constexpr double kDiameter = 2 * BallSpec{}.radius;
     const Vec2 edge = inset(Table{}, BallSpec{}.radius);
-    const Vec2 starts[] = {{0, 0}, {edge.x, random.uniform(-0.4, 0.4)}, edge};
+    const std::array starts{Vec2{}, Vec2{edge.x, random.uniform(-0.4, 0.4)}, edge};
     std::vector<Vec2> places{starts[random.below(3)]};
     for (int tries = 0; tries < 100 && places.size() < 9; ++tries) {
         const Vec2 beside = random.below(3) == 0 ? Vec2{-1, 0} : random.direction();
@@ -50,8 +51,8 @@ inline Scene pressed_scene(Random& random) {
                             random.uniform(-50, 50)};
         if (random.below(3) == 0) set_xy(ball.state.v, random.uniform(0, 3) * random.direction());
     }
-    const double rates[] = {5, 30, 60, 240, 1000};
-    scene.solver.hz = rates[random.below(5)];
+    constexpr std::array kRates{5, 30, 60, 240, 1000};
+    scene.solver.hz = kRates[random.below(5)];
     scene.limits = {20, 20000};
     return scene;
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <map>
 
 namespace poolhall {
 namespace {
@@ -179,11 +180,11 @@ TEST(CurvedContact, BallsThatRunTheSameCurveNeverMeet) {
 TEST(CurvedContact, GrazeOfARollingBallIsAHitAndAnUlpOrTrillionthMoreIsAMiss) {
     for (const double side : {1.0, -1.0}) {
         const double graze = side * kDiameter;
-        const std::pair<double, bool> offsets[] = {{graze, true},
-                                                   {std::nextafter(graze, 0), true},
-                                                   {std::nextafter(graze, side * kInfinity), false},
-                                                   {graze * (1 - 1e-12), true},
-                                                   {graze * (1 + 1e-12), false}};
+        const std::map<double, bool> offsets{{graze, true},
+                                             {std::nextafter(graze, 0), true},
+                                             {std::nextafter(graze, side * kInfinity), false},
+                                             {graze * (1 - 1e-12), true},
+                                             {graze * (1 + 1e-12), false}};
         for (const auto& [offset, hit] : offsets) {
             for (const double speed : {0.5, 3.0, 30.0}) {
                 const Scene scene = rolling({{0, 0}, {1, offset}}, {speed, 0});

@@ -38,8 +38,11 @@ TEST(Euler, FreeRollIsTheGeometricSum) {
     double x = 0;
     double v = end_game::kShotSpeed;
     std::uint64_t ticks = 0;
-    for (; v >= end_game::kStopSpeed; ++ticks, v *= 1 - end_game::kDrag / 30)
+    while (v >= end_game::kStopSpeed) {
         x += v / 30;
+        v *= 1 - end_game::kDrag / 30;
+        ++ticks;
+    }
     EXPECT_EQ(ticks, trace.ticks);
     EXPECT_NEAR(x, final_place(trace, 0).x, 1e-13);
     EXPECT_EQ((Vec2{}), final_velocity(trace, 0));

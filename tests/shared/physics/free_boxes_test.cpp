@@ -15,55 +15,55 @@ std::vector<std::size_t> near(const FreeBoxes& boxes, std::size_t ball) {
 
 class TwoBalls : public ::testing::Test {
   protected:
-    TwoBalls() { boxes_.reset(2, {-10, 10, -10, 10}, 24); }
+    TwoBalls() { boxes.reset(2, {-10, 10, -10, 10}, 24); }
 
-    FreeBoxes boxes_;
+    FreeBoxes boxes;
 };
 
 TEST_F(TwoBalls, BallHasNoBoxBeforeItClaimsOne) {
-    EXPECT_TRUE(boxes_.is_loose(0));
-    EXPECT_FALSE(boxes_.holds(0, {0, 0}));
-    EXPECT_TRUE(boxes_.claim(0, {0, 2, 0, 0}, kRadius));
-    EXPECT_FALSE(boxes_.is_loose(0));
-    EXPECT_TRUE(boxes_.holds(0, {2, 0}));
-    EXPECT_FALSE(boxes_.holds(0, {2, 0.1}));
+    EXPECT_TRUE(boxes.is_loose(0));
+    EXPECT_FALSE(boxes.holds(0, {0, 0}));
+    EXPECT_TRUE(boxes.claim(0, {0, 2, 0, 0}, kRadius));
+    EXPECT_FALSE(boxes.is_loose(0));
+    EXPECT_TRUE(boxes.holds(0, {2, 0}));
+    EXPECT_FALSE(boxes.holds(0, {2, 0.1}));
 }
 
 TEST_F(TwoBalls, BoxIsNotGivenWhereAnotherBallCouldBeTouched) {
-    boxes_.settle(1, {3, 0}, kRadius);
-    EXPECT_FALSE(boxes_.claim(0, {0, 2, 0, 0}, kRadius));
-    EXPECT_TRUE(boxes_.is_loose(0));
-    EXPECT_TRUE(boxes_.claim(0, {0, 1.9, 0, 0}, kRadius));
+    boxes.settle(1, {3, 0}, kRadius);
+    EXPECT_FALSE(boxes.claim(0, {0, 2, 0, 0}, kRadius));
+    EXPECT_TRUE(boxes.is_loose(0));
+    EXPECT_TRUE(boxes.claim(0, {0, 1.9, 0, 0}, kRadius));
 }
 
 TEST_F(TwoBalls, BallThatComesToRestInABoxTakesItAway) {
-    ASSERT_TRUE(boxes_.claim(0, {0, 9, 0, 0}, kRadius));
-    boxes_.sweep(1, {5, 2}, {5, 0.5}, kRadius);
-    EXPECT_FALSE(boxes_.is_loose(0));
-    boxes_.settle(1, {5, 0.5}, kRadius);
-    EXPECT_TRUE(boxes_.is_loose(0));
-    EXPECT_TRUE(boxes_.holds(1, {5, 0.5}));
+    ASSERT_TRUE(boxes.claim(0, {0, 9, 0, 0}, kRadius));
+    boxes.sweep(1, {5, 2}, {5, 0.5}, kRadius);
+    EXPECT_FALSE(boxes.is_loose(0));
+    boxes.settle(1, {5, 0.5}, kRadius);
+    EXPECT_TRUE(boxes.is_loose(0));
+    EXPECT_TRUE(boxes.holds(1, {5, 0.5}));
 }
 
 TEST_F(TwoBalls, BallsAtRestThatTouchKeepTheirPlaces) {
-    boxes_.settle(0, {0, 0}, kRadius);
-    boxes_.settle(1, {1, 0}, kRadius);
-    EXPECT_FALSE(boxes_.is_loose(0));
-    EXPECT_FALSE(boxes_.is_loose(1));
-    boxes_.wake(0);
-    EXPECT_TRUE(boxes_.is_loose(0));
-    EXPECT_FALSE(boxes_.is_loose(1));
+    boxes.settle(0, {0, 0}, kRadius);
+    boxes.settle(1, {1, 0}, kRadius);
+    EXPECT_FALSE(boxes.is_loose(0));
+    EXPECT_FALSE(boxes.is_loose(1));
+    boxes.wake(0);
+    EXPECT_TRUE(boxes.is_loose(0));
+    EXPECT_FALSE(boxes.is_loose(1));
 }
 
 TEST_F(TwoBalls, SweptBallIsNearWhatItPasses) {
-    boxes_.settle(1, {5, 0.9}, kRadius);
-    boxes_.sweep(0, {0, 0}, {4, 0}, kRadius);
-    EXPECT_EQ(std::vector<std::size_t>{1}, near(boxes_, 0));
-    boxes_.sweep(0, {0, 0}, {3.9, 0}, kRadius);
-    EXPECT_EQ(std::vector<std::size_t>{}, near(boxes_, 0));
-    boxes_.sweep(0, {0, 0}, {9, 0}, kRadius);
-    boxes_.remove(1);
-    EXPECT_EQ(std::vector<std::size_t>{}, near(boxes_, 0));
+    boxes.settle(1, {5, 0.9}, kRadius);
+    boxes.sweep(0, {0, 0}, {4, 0}, kRadius);
+    EXPECT_EQ(std::vector<std::size_t>{1}, near(boxes, 0));
+    boxes.sweep(0, {0, 0}, {3.9, 0}, kRadius);
+    EXPECT_EQ(std::vector<std::size_t>{}, near(boxes, 0));
+    boxes.sweep(0, {0, 0}, {9, 0}, kRadius);
+    boxes.remove(1);
+    EXPECT_EQ(std::vector<std::size_t>{}, near(boxes, 0));
 }
 
 }  // namespace

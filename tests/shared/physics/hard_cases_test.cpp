@@ -12,6 +12,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <map>
 
 namespace poolhall {
 namespace {
@@ -57,11 +58,11 @@ INSTANTIATE_TEST_SUITE_P(Solvers, HardCase, ::testing::ValuesIn(testing::kSweptS
 TEST_P(HardCase, GrazeIsAHitAndAnUlpOrTrillionthMoreIsAMiss) {
     for (const double side : {1.0, -1.0}) {
         const double graze = side * kDiameter;
-        const std::pair<double, bool> offsets[] = {{graze, true},
-                                                   {std::nextafter(graze, 0), true},
-                                                   {std::nextafter(graze, side * kInfinity), false},
-                                                   {graze * (1 - 1e-12), true},
-                                                   {graze * (1 + 1e-12), false}};
+        const std::map<double, bool> offsets{{graze, true},
+                                             {std::nextafter(graze, 0), true},
+                                             {std::nextafter(graze, side * kInfinity), false},
+                                             {graze * (1 - 1e-12), true},
+                                             {graze * (1 + 1e-12), false}};
         for (const auto& [offset, hit] : offsets) {
             Scene scene = endless(testing::scene_of({{0, 0}, {1, offset}}), 1);
             scene.balls[0].state.v.x = 3;
@@ -345,10 +346,11 @@ TEST_P(HardCase, SlowChaseHasABoundedNumberOfEvents) {
 
 TEST_P(HardCase, BallsPressedTogetherAndAgainstARailComeToAnEnd) {
     // A row frozen to the rail, a ball frozen to it that pushes, and another that comes after.
-    std::vector<Vec2> places;
-    for (int i = 0; i < 4; ++i)
-        places.push_back({kEdge.x - i * kDiameter, 0});
-    places.push_back({kEdge.x - 4.5 * kDiameter, 1e-3});
+    const std::vector<Vec2> places{{kEdge.x, 0},
+                                   {kEdge.x - kDiameter, 0},
+                                   {kEdge.x - 2 * kDiameter, 0},
+                                   {kEdge.x - 3 * kDiameter, 0},
+                                   {kEdge.x - 4.5 * kDiameter, 1e-3}};
     for (const double e : {0.0, 0.5, 1.0}) {
         Scene scene = testing::scene_of(places);
         scene.effects.linear_drag = LinearDragSpec{};

@@ -105,7 +105,7 @@ struct AbsentAndZero {
 };
 
 TEST(Kernels, AnEffectWithAZeroCoefficientIsAbsent) {
-    const AbsentAndZero cases[] = {
+    const std::vector<AbsentAndZero> cases{
         {"linear_drag",
          [](Effects& e) {
              e.linear_drag = LinearDragSpec{0, 0};

@@ -41,7 +41,8 @@ TEST(StayApart, NeverHoldsForTwoThatMeet) {
         if (!stay_apart(arc.c, arc.v, arc.a, kDistance, horizon)) continue;
         ++apart;
         ASSERT_FALSE(meet) << i;
-        for (double t = 0; t <= horizon; t += horizon / 64) {
+        for (int step = 0; step <= 64; ++step) {
+            const double t = step * (horizon / 64);
             const Vec2 c = arc.c + t * (arc.v + (t / 2) * arc.a);
             ASSERT_GE(norm(c), kDistance) << i << " at " << t;
         }
@@ -72,17 +73,17 @@ class BoxesOf : public ::testing::TestWithParam<std::size_t> {
     static constexpr Box kRoom{-1.6, 3.6, -0.9, 2.9};
 
     void SetUp() override {
-        few_.reset(GetParam(), kRoom, kNoneIsMany);
-        many_.reset(GetParam(), kRoom, 1);
-        boxes_.resize(GetParam());
+        few.reset(GetParam(), kRoom, kNoneIsMany);
+        many.reset(GetParam(), kRoom, 1);
+        boxes.resize(GetParam());
         for (std::size_t i = 0; i < GetParam(); ++i)
             move(i);
     }
 
     void move(std::size_t ball) {
-        boxes_[ball] = random_box(random_);
-        few_.set(ball, boxes_[ball]);
-        many_.set(ball, boxes_[ball]);
+        boxes[ball] = random_box(random);
+        few.set(ball, boxes[ball]);
+        many.set(ball, boxes[ball]);
     }
 
     static std::vector<std::size_t> found(const Boxes& boxes, std::size_t ball, std::size_t from) {
@@ -91,10 +92,10 @@ class BoxesOf : public ::testing::TestWithParam<std::size_t> {
         return others;
     }
 
-    Random random_{5};
-    Boxes few_;
-    Boxes many_;
-    std::vector<Box> boxes_;
+    Random random{5};
+    Boxes few;
+    Boxes many;
+    std::vector<Box> boxes;
 };
 
 INSTANTIATE_TEST_SUITE_P(Balls, BoxesOf, ::testing::Values(1, 2, 23, 64, 65, 200));
@@ -106,12 +107,12 @@ TEST_P(BoxesOf, EveryOverlapIsFoundInOrderAndLittleElse) {
         const std::size_t ball = step % GetParam();
         move(ball);
         const std::size_t from = step % 3 == 0 ? ball + 1 : 0;
-        const auto others = found(few_, ball, from);
-        ASSERT_EQ(others, found(many_, ball, from));
+        const auto others = found(few, ball, from);
+        ASSERT_EQ(others, found(many, ball, from));
         ASSERT_TRUE(std::is_sorted(others.begin(), others.end()));
         for (std::size_t i = from; i < GetParam(); ++i) {
             const bool is_found = std::binary_search(others.begin(), others.end(), i);
-            const bool wanted = i != ball && overlap(boxes_[ball], boxes_[i]);
+            const bool wanted = i != ball && overlap(boxes[ball], boxes[i]);
             ASSERT_TRUE(is_found || !wanted) << ball << " and " << i;
             (wanted ? right : too_many) += is_found ? 1 : 0;
         }
@@ -121,20 +122,20 @@ TEST_P(BoxesOf, EveryOverlapIsFoundInOrderAndLittleElse) {
 
 TEST_P(BoxesOf, ABallTakenAwayIsFoundNoMoreAndFindsNobody) {
     for (std::size_t ball = 0; ball < GetParam(); ball += 2) {
-        few_.remove(ball);
-        many_.remove(ball);
+        few.remove(ball);
+        many.remove(ball);
     }
     for (std::size_t ball = 0; ball < GetParam(); ++ball) {
-        const auto others = found(few_, ball, 0);
-        EXPECT_EQ(others, found(many_, ball, 0));
+        const auto others = found(few, ball, 0);
+        EXPECT_EQ(others, found(many, ball, 0));
         EXPECT_TRUE(std::all_of(others.begin(), others.end(),
                                 [](std::size_t other) { return other % 2 == 1; }));
         EXPECT_TRUE(ball % 2 == 1 || others.empty());
     }
-    few_.set(0, Box::everything());
-    many_.set(0, Box::everything());
-    EXPECT_EQ(GetParam() / 2, found(few_, 0, 0).size());
-    EXPECT_EQ(GetParam() / 2, found(many_, 0, 0).size());
+    few.set(0, Box::everything());
+    many.set(0, Box::everything());
+    EXPECT_EQ(GetParam() / 2, found(few, 0, 0).size());
+    EXPECT_EQ(GetParam() / 2, found(many, 0, 0).size());
 }
 
 TEST(Soonest, FewAndManyBallsHaveTheSameFirstAndTies) {

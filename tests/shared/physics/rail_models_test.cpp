@@ -4,6 +4,7 @@
 #include "tests/shared/reference.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -23,9 +24,8 @@ struct Model {
     Bounce bounce;
 };
 
-constexpr Model kModels[] = {{"Han", &bounce_han2005},
-                             {"Mathavan", &bounce_mathavan2010},
-                             {"MathavanFast", &bounce_mathavan2010_fast}};
+constexpr std::array kModels{Model{"Han", &bounce_han2005}, Model{"Mathavan", &bounce_mathavan2010},
+                             Model{"MathavanFast", &bounce_mathavan2010_fast}};
 
 struct Ball {
     Vec3 v;
