@@ -18,6 +18,7 @@ constexpr auto kActionKeys = std::to_array<ActionKey>({
     {SDLK_F2, Action::kFrameRate},
     {SDLK_F3, Action::kStepMode},
     {SDLK_F4, Action::kCollisionMode},
+    {SDLK_F5, Action::kSolvers},
     {SDLK_SPACE, Action::kGo},
     {SDLK_p, Action::kScreenshot},
     {SDLK_m, Action::kMute},

@@ -15,6 +15,7 @@ enum class Action : std::uint8_t {
     kFrameRate,
     kStepMode,
     kCollisionMode,
+    kSolvers,
     kGo,  ///< fire, step, new game: whatever is next
     kScreenshot,
     kMute,

@@ -5,6 +5,7 @@
 #include "shared/game/end_game.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace poolhall::client {
@@ -41,6 +42,10 @@ void TableController::act(Action action) {
             break;
         case Action::kCollisionMode:
             collision_mode_ = !collision_mode_;
+            break;
+        case Action::kSolvers:
+            solvers_.cycle();
+            show_status(solvers_.description());
             break;
         case Action::kMute:
             muted_ = !muted_;
@@ -100,6 +105,7 @@ void TableController::update(double dt, double now, const Steering& steering) {
         ++revision_;
     }
     advance(dt);
+    if (solvers_.poll()) ++revision_;
     shown_.refresh();
     announce_result();
     pause_before_new_game();
@@ -118,9 +124,14 @@ void TableController::take_passed() {
     for (const auto& passed : playback_.take_passed()) {
         marks_.pass(passed);
         if (const auto* event = std::get_if<ShotEvent>(&passed)) heard_.emplace_back(*event);
-        if (const auto* end = std::get_if<Playback::ShotFinished>(&passed))
-            shown_.shot_finished(end->shot);
+        if (const auto* end = std::get_if<Playback::ShotFinished>(&passed)) finish(end->shot);
     }
+    if (const Shot* shot = playback_.shot()) solvers_.follow(*shot);
+}
+
+void TableController::finish(const Shot& shot) {
+    shown_.shot_finished(shot);
+    solvers_.follow(shot);
 }
 
 void TableController::announce_result() {
@@ -198,7 +209,7 @@ std::vector<Heard> TableController::take_heard() {
 }
 
 bool TableController::animated() const {
-    return frame_rate_ || (!playback_.idle() && !step_mode_);
+    return frame_rate_ || solvers_.pending() || (!playback_.idle() && !step_mode_);
 }
 
 Vec2 TableController::cue_ball() const {
@@ -219,6 +230,7 @@ ViewState TableController::view() const {
     view.aim = aim_view();
     view.trail = trail_.rings();
     if (collision_mode_) view.marks = marks_.marks();
+    view.solvers = solver_views();
     view.match = match_view();
     view.banner = banner(info, shown_);
     if (frame_rate_ || has_own_physics(info)) view.physics = physics_of(info);
@@ -237,6 +249,12 @@ std::optional<AimView> TableController::aim_view() const {
         return std::nullopt;
     if (table->aim == Vec2{}) return std::nullopt;
     return AimView{cue_ball(), table->aim, predict(table->scene, table->cue_ball, table->aim)};
+}
+
+std::vector<SolverView> TableController::solver_views() const {
+    const Shot* shot = playback_.shot();
+    const bool shown = shot != nullptr && shot->number == solvers_.shot();
+    return solvers_.view(shown ? playback_.time() : std::numeric_limits<double>::infinity());
 }
 
 MatchView TableController::match_view() const {

@@ -3,6 +3,7 @@
 #include "client/desktop/app/input.hpp"
 #include "client/desktop/app/overlays.hpp"
 #include "client/desktop/app/shown_table.hpp"
+#include "client/desktop/app/solver_overlay.hpp"
 
 #include <string>
 #include <variant>
@@ -60,6 +61,7 @@ class TableController {
     void aim_at(Vec2 r);
     void advance(double dt);
     void take_passed();
+    void finish(const Shot& shot);
     void announce_result();
     void pause_before_new_game();
 
@@ -68,12 +70,14 @@ class TableController {
     [[nodiscard]] Vec2 cue_ball() const;
     [[nodiscard]] std::optional<AimView> aim_view() const;
     [[nodiscard]] MatchView match_view() const;
+    [[nodiscard]] std::vector<SolverView> solver_views() const;
 
     Match& match_;
     Playback& playback_;
     ShownTable shown_;
     StepTrail trail_;
     CollisionMarks marks_;
+    SolverOverlay solvers_;
     std::vector<Heard> heard_;
 
     bool help_ = false;

@@ -18,11 +18,6 @@ constexpr SDL_Color kIvoryTint{255, 247, 224, 255};
 constexpr SDL_Color kBlackTint{12, 14, 16, 255};
 constexpr SDL_Color kRedTint{220, 70, 60, 255};
 
-// A hair that stays visible on a small window and does not grow fat on a large one.
-float hair(const Layout& layout) {
-    return std::max(1.2F, 0.085F * layout.ball);
-}
-
 SDL_Color tint_of(BallLook look) {
     switch (look) {
         case BallLook::kIvory:
@@ -82,6 +77,10 @@ void add_badge(Mesh& mesh, SDL_FPoint middle, float radius) {
 }
 
 }  // namespace
+
+float hair(const Layout& layout) {
+    return std::max(1.2F, 0.085F * layout.ball);
+}
 
 void add_base_line(Mesh& mesh, const Layout& layout, double x) {
     const SDL_FPoint top = layout.to_pixels({x, 0});

@@ -7,6 +7,9 @@
 // What lies on the cloth beside the balls, as shapes.
 namespace poolhall::client {
 
+/// Width of a thin line, px: visible on a small window, and not fat on a large one.
+[[nodiscard]] float hair(const Layout& layout);
+
 void add_base_line(Mesh& mesh, const Layout& layout, double x);
 void add_ball_shadow(Mesh& mesh, const Layout& layout, Vec2 r);
 void add_trail(Mesh& mesh, const Layout& layout, const ViewState& state);

@@ -8,6 +8,7 @@
 #include "client/desktop/view/hud.hpp"
 #include "client/desktop/view/overlays.hpp"
 #include "client/desktop/view/panels.hpp"
+#include "client/desktop/view/solver_paths.hpp"
 #include "client/desktop/view/table_art.hpp"
 #include "client/desktop/view/table_painter.hpp"
 #include "shared/table/pockets.hpp"
@@ -57,6 +58,7 @@ struct TableView::Parts {
 void TableView::Parts::draw_cloth_shapes(const ViewState& state) {
     Mesh& shapes = canvas.shapes();
     if (state.base_line_x) add_base_line(shapes, layout, *state.base_line_x);
+    add_solver_paths(shapes, layout, state.solvers);
     add_trail(shapes, layout, state);
     for (const BallView& ball : state.balls) {
         if (!ball.sunk) add_ball_shadow(shapes, layout, ball.r);
@@ -96,10 +98,12 @@ void TableView::draw(const ViewState& state, double now_s) {
     parts.table_art.draw(parts.canvas, state.table, parts.layout, now_s);
     parts.draw_cloth_shapes(state);
     parts.draw_balls(state);
+    add_solver_ghosts(parts.canvas.shapes(), parts.layout, state.solvers);
     add_collision_marks(parts.canvas.shapes(), parts.layout, state.marks);
     add_mode_icons(parts.canvas.shapes(), parts.layout, state);
     draw_top_bar(parts.canvas, parts.text, parts.layout, state.match);
     draw_bottom_lines(parts.canvas, parts.text, parts.layout, state);
+    draw_solver_legend(parts.canvas, parts.text, parts.layout, state.solvers);
     if (state.help) {
         draw_help(parts.canvas, parts.text, parts.layout);
     } else if (state.banner) {

@@ -38,6 +38,16 @@ struct CollisionMark {
     Vec2 r;  ///< m
 };
 
+/// The last shot as one solver has it.
+struct SolverView {
+    std::string name;                      ///< "euler 30 Hz"
+    std::string cost;                      ///< "15.2 µs"; empty where it cannot do the scene
+    std::string distance;                  ///< in the end, from the most accurate: "12 mm off"
+    bool decides = false;                  ///< the solver that the game is played by
+    std::vector<std::vector<Vec2>> paths;  ///< corners of the way of each ball that moves, m
+    std::vector<Vec2> balls;               ///< where those balls are at the time that is shown, m
+};
+
 enum class Tone : std::uint8_t { kNeutral, kWon, kLost };
 
 /// The large message over the table.
@@ -67,6 +77,9 @@ struct MatchView {
     std::optional<double> round_trip_ms;
 };
 
+/// As many solvers as can be told apart.
+inline constexpr std::size_t kSolverViews = 3;
+
 struct ViewState {
     Table table;
     double ball_radius = 0.028575;  ///< m
@@ -75,6 +88,7 @@ struct ViewState {
     std::optional<AimView> aim;         ///< none while balls move
     std::vector<TrailRing> trail;
     std::vector<CollisionMark> marks;
+    std::vector<SolverView> solvers;  ///< the same shot by others; up to kSolverViews, or none
     MatchView match;
     std::optional<Banner> banner;
     std::string status;  ///< one line: "Saved shot-001.png"; empty for none

@@ -81,5 +81,12 @@ TEST(Label, IsWhatTheLabsOptionsTake) {
     EXPECT_EQ(label({SolverKind::kExactArc, 7680}), "exact_arc:7680");
 }
 
+TEST(Label, NumbersHaveTheirUnits) {
+    EXPECT_EQ(text_of_cost(12345), "12.3 \xC2\xB5s");
+    EXPECT_EQ(text_of_cost(12345678), "12346 \xC2\xB5s");
+    EXPECT_EQ(text_of_distance(0.0123456), "12.35 mm");
+    EXPECT_EQ(text_of_distance(1e-9), "1e-06 mm");
+}
+
 }  // namespace
 }  // namespace poolhall::compare

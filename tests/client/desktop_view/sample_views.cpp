@@ -76,6 +76,25 @@ ViewState collisions() {
     return state;
 }
 
+ViewState solvers() {
+    ViewState state = start();
+    state.aim.reset();
+    state.base_line_x.reset();
+    const Vec2 corner{0.60, 0.33};
+    for (int i = 0; i < 3; ++i) {
+        const Vec2 end{-0.2 + 0.07 * i, -0.21 + 0.02 * i};
+        state.solvers.push_back({"", "", "", i == 1, {{{-0.39, 0.1}, corner, end}}, {end}});
+    }
+    state.solvers[0] = {"event", "1.9 \xC2\xB5s",        "the reference",
+                        false,   state.solvers[0].paths, state.solvers[0].balls};
+    state.solvers[1].name = "euler 30 Hz";
+    state.solvers[1].cost = "15.2 \xC2\xB5s";
+    state.solvers[1].distance = "73 mm off event, other balls down";
+    state.solvers[2].name = "overlap 30 Hz";
+    state.solvers[2].distance = "cannot do these effects";
+    return state;
+}
+
 ViewState connection_lost() {
     ViewState state = with_banner(Tone::kNeutral, "Connection lost", "Trying again in 4 s");
     state.match.link = Link::kLost;
@@ -156,6 +175,7 @@ std::vector<NamedView> all() {
         {"aiming", aiming()},
         {"step-trail", stepping()},
         {"collision-marks", collisions()},
+        {"solvers", solvers()},
         {"won", won()},
         {"lost", lost()},
         {"help", help()},
@@ -170,6 +190,7 @@ std::vector<NamedView> all() {
     sized("tiny", aiming(), {480, 320});
     sized("tiny-help", help(), {480, 320});
     sized("tiny-lost", lost(), {480, 320});
+    sized("tiny-solvers", solvers(), {480, 320});
     sized("wide", collisions(), {1400, 420});
     sized("tall", awkward_names(), {600, 1000});
     sized("hidpi", stepping(), {2560, 1440});

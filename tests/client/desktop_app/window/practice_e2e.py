@@ -23,6 +23,14 @@ def is_arrow(r, g, b):
     return r > 220 and g > 200 and b > 150
 
 
+def is_sky_blue(r, g, b):
+    return r < 140 and 140 < g < 210 and b > 190
+
+
+def is_orange(r, g, b):
+    return r > 190 and 120 < g < 190 and b < 60
+
+
 class Practice(unittest.TestCase):
     def setUp(self):
         self.client = Client(PROGRAM, "--practice", "--name", "Anna", title="Poolhall practice")
@@ -135,6 +143,29 @@ class Practice(unittest.TestCase):
         self.client.key("F4")
         time.sleep(0.3)
         self.assertEqual(self.client.look().find(is_yellow, (820, 345, 900, 391)), [])
+
+    def test_f5_shows_the_last_shot_by_other_solvers(self):
+        self.client.key("F5")
+        time.sleep(0.3)
+        self.assertEqual(self.client.look().find(is_sky_blue, TABLE), [], "there is no shot yet")
+        self.client.key("F3")
+        self.client.key("space")
+        for step in range(3):
+            self.client.key("space")
+        wait_for("the paths", lambda: len(self.client.look().find(is_sky_blue, TABLE)) > 500)
+        first = self.client.look()
+        self.assertGreater(len(first.find(is_orange, TABLE)), 100)
+        self.client.key("space")
+        time.sleep(0.3)
+        self.assertGreater(self.client.look().difference(first, TABLE), 100, "their balls did not step along")
+        self.client.key("F5")
+        time.sleep(0.3)
+        second = self.client.look()
+        self.assertGreater(second.difference(first, TABLE), 200, "the same solvers")
+        for press in range(2):
+            self.client.key("F5")
+        time.sleep(0.3)
+        self.assertEqual(self.client.look().find(is_sky_blue, TABLE), [], "not switched off")
 
     def test_m_h_and_c_answer_on_the_screen(self):
         status = (0, 690, 640, 720)
