@@ -1,5 +1,6 @@
 #include "client/lab/accuracy/accuracy_command.hpp"
 #include "client/lab/bench_command.hpp"
+#include "client/lab/compare/compare_command.hpp"
 #include "client/lab/simulate_command.hpp"
 #include "client/lab/solver_option.hpp"
 
@@ -11,6 +12,7 @@
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
@@ -19,6 +21,7 @@ using namespace poolhall::lab;
 /// What the command line asks for.
 struct Options {
     SimulateOptions simulate;
+    CompareOptions compare;
     AccuracyOptions accuracy;
     std::string file = "-";
     std::string csv;
@@ -34,18 +37,37 @@ std::string fault_of_rate(const std::string& text) {
 }
 
 /// A solver as CLI11 reads it.
+poolhall::SolverSpec read_solver(const std::string& text) {
+    if (const auto solver = parse_solver(text)) return *solver;
+    throw CLI::ValidationError("--solver",
+                               "must be event, or euler, semi_implicit, exact_arc or overlap with "
+                               "ticks a second (euler:30), not " +
+                                   text);
+}
+
 void add_solver(CLI::App* command, SimulateOptions& options) {
-    const auto read = [&options](const std::string& text) {
-        options.solver = parse_solver(text);
-        if (!options.solver)
-            throw CLI::ValidationError(
-                "--solver",
-                "must be event, or euler, semi_implicit, exact_arc or overlap with "
-                "ticks a second (euler:30), not " +
-                    text);
-    };
+    const auto read = [&options](const std::string& text) { options.solver = read_solver(text); };
     command->add_option_function<std::string>("--solver", read, "Instead of the scenes' own")
         ->type_name("KIND[:HZ]");
+}
+
+void add_compare(CLI::App& app, CompareOptions& options) {
+    CLI::App* command = app.add_subcommand(
+        "compare", "One scene by several solvers: events side by side, distances, cost, a drawing");
+    const auto read = [&options](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts)
+            options.solvers.push_back(read_solver(text));
+    };
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--solver", read, "Any number; else event, euler:30, euler:120 and overlap:30")
+        ->type_name("KIND[:HZ]")
+        ->allow_extra_args(false);
+    command->add_option("--out", options.out, "Also draws DIR/compare.svg and DIR/compare.png")
+        ->type_name("DIR");
+    command->add_option("--picture", options.picture, "Also draws this one; ends in .svg or .png")
+        ->type_name("FILE");
+    command->add_option("SCENE", options.file, "- for standard input")->capture_default_str();
 }
 
 void add_simulate(CLI::App& app, Options& options) {
@@ -88,6 +110,8 @@ Status run(const CLI::App& app, const Options& options) {
         return measure_accuracy(options.accuracy, std::cout, std::cerr);
     if (app.got_subcommand("bench")) return bench(options.csv, std::cout, std::cerr);
     if (app.got_subcommand("hash")) return print_hashes(std::cout);
+    if (app.got_subcommand("compare"))
+        return compare_solvers(options.compare, std::cout, std::cerr);
     return simulate_file(options.simulate, options.file, std::cout, std::cerr);
 }
 
@@ -99,6 +123,7 @@ int run_program(int argc, char** argv) {
         "poolhall-lab");
     app.require_subcommand(1);
     add_simulate(app, options);
+    add_compare(app, options.compare);
     add_accuracy(app, options.accuracy);
     CLI::App* bench =
         app.add_subcommand("bench", "Shots a second, ns an event, ns a ball-step, beside others");

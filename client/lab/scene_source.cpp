@@ -3,7 +3,9 @@
 #include "protocol/tree.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace poolhall::lab {
@@ -109,6 +111,19 @@ std::optional<SceneText> SceneSource::read_object(Line first) {
 void SceneSource::put_back(std::deque<Line> lines) {
     is_lines_ = true;
     put_back_ = std::move(lines);
+}
+
+Result<std::ifstream, std::string> open_scenes(const std::string& file) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) return file + " is a folder";
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return file + " cannot be opened";
+    return in;
+}
+
+std::string text_of(const SceneError& fault) {
+    return fault.pointer.empty() ? "the scene " + fault.reason
+                                 : fault.pointer + ": " + fault.reason;
 }
 
 }  // namespace poolhall::lab

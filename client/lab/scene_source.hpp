@@ -1,10 +1,12 @@
 #pragma once
 
 #include "client/lab/line_reader.hpp"
+#include "shared/physics/scene.hpp"
 #include "shared/result.hpp"
 
 #include <cstddef>
 #include <deque>
+#include <fstream>
 #include <istream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -46,5 +48,11 @@ class SceneSource {
     bool is_lines_ = false;  ///< known to be JSON Lines
     bool ended_ = false;     ///< the rest belongs to an object that is too long
 };
+
+/// The file, opened to be read; "FILE is a folder" or "FILE cannot be opened" otherwise.
+[[nodiscard]] Result<std::ifstream, std::string> open_scenes(const std::string& file);
+
+/// "/balls/1/r: overlaps /balls/0".
+[[nodiscard]] std::string text_of(const SceneError& fault);
 
 }  // namespace poolhall::lab

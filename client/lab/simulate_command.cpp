@@ -6,11 +6,8 @@
 #include "shared/physics/simulate.hpp"
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <new>
-#include <system_error>
 #include <utility>
 
 namespace poolhall::lab {
@@ -72,11 +69,6 @@ std::optional<SceneError> run_safely(SceneRunner& runner, Json tree) {
     }
 }
 
-std::string text_of(const SceneError& fault) {
-    return fault.pointer.empty() ? "the scene " + fault.reason
-                                 : fault.pointer + ": " + fault.reason;
-}
-
 Status fail(std::ostream& error, const std::string& reason) {
     error << "poolhall-lab: " << reason << '\n';
     return Status::kBadInput;
@@ -108,11 +100,9 @@ Status simulate_all(const SimulateOptions& options, std::istream& in, std::ostre
 Status simulate_file(const SimulateOptions& options, const std::string& file, std::ostream& out,
                      std::ostream& error) {
     if (file == "-") return simulate_all(options, std::cin, out, error);
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) return fail(error, file + " is a folder");
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return fail(error, file + " cannot be opened");
-    return simulate_all(options, in, out, error);
+    auto in = open_scenes(file);
+    if (!in) return fail(error, in.error());
+    return simulate_all(options, *in, out, error);
 }
 
 }  // namespace poolhall::lab

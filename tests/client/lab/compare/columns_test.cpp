@@ -1,0 +1,23 @@
+#include "client/lab/columns.hpp"
+
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace poolhall::lab {
+namespace {
+
+TEST(Columns, StandBelowEachOtherWithoutBlanksAtTheEnd) {
+    Columns columns;
+    columns.add({"solver", "cost"});
+    columns.add({"event", "3 \xC2\xB5s", "fine"});
+    columns.add({"x"});
+    std::ostringstream out;
+    columns.print(out);
+    EXPECT_EQ(out.str(),
+              "solver   cost\n"
+              "event    3 \xC2\xB5s   fine\n"
+              "x\n");
+}
+
+}  // namespace
+}  // namespace poolhall::lab
