@@ -45,7 +45,7 @@ TEST(ComparisonText, ARefusalStandsInItsColumnAndTheOthersGoOn) {
     const std::size_t column = text.find(reason);
     ASSERT_NE(column, std::string::npos);
     EXPECT_NE(text.find(reason, column + 1), std::string::npos) << "not among the differences";
-    EXPECT_NE(text.find("jumper hits"), std::string::npos);
+    EXPECT_NE(text.find("cue hits object"), std::string::npos);
 }
 
 }  // namespace
