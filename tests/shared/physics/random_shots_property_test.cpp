@@ -61,7 +61,7 @@ TEST_P(EveryTickOfAShot, ShotsEndWithinTheTimeThatRollingAloneMayTake) {
         Scene scene = shot_number(2 * i, random);
         scene.solver.kind = GetParam();
         const double speed = scene.strike->speed;
-        const double count = static_cast<double>(scene.balls.size());
+        const auto count = static_cast<double>(scene.balls.size());
         const ShotTrace trace = simulate(scene);
         ASSERT_EQ(Outcome::kRest, trace.outcome);
         // The ball that has the most energy, E / n at least, loses it no slower than by rolling:

@@ -6,6 +6,7 @@
 #include "tests/shared/traces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ struct Impact {
 };
 
 std::vector<Impact> impacts_of(const ShotTrace& trace) {
-    constexpr Rail kRails[] = {Rail::kWest, Rail::kEast, Rail::kSouth, Rail::kNorth};
+    constexpr std::array kRails{Rail::kWest, Rail::kEast, Rail::kSouth, Rail::kNorth};
     std::vector<Impact> impacts;
     for (const ShotEvent& event : trace.events) {
         const int ball = event.balls[0].value;

@@ -2,6 +2,7 @@
 
 #include "tests/shared/scenes.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ TEST_P(SceneCheck, NamesTheFieldThatIsWrong) {
     EXPECT_FALSE(error->reason.empty());
 }
 
-const BadScene kBadScenes[] = {
+const auto kBadScenes = std::to_array<BadScene>({
     {"/table/length", [](Scene& s) { s.table.length = kNan; }},
     {"/table/length", [](Scene& s) { s.table.length = -1; }},
     {"/table/width", [](Scene& s) { s.table.width = kInfinity; }},
@@ -207,7 +208,7 @@ const BadScene kBadScenes[] = {
      }},
     {"/table/pockets",
      [](Scene& s) { put_circles(s, std::vector<PocketCircle>(kMaxPocketCircles + 1)); }},
-};
+});
 
 INSTANTIATE_TEST_SUITE_P(BadScenes, SceneCheck, ::testing::ValuesIn(kBadScenes));
 
