@@ -149,8 +149,8 @@ class TapeWriter {
         if (x) write(*x);
     }
 
-    template <class T, std::size_t N>
-    void write(const std::array<T, N>& all) {
+    template <class T, std::size_t kSize>
+    void write(const std::array<T, kSize>& all) {
         for (const T& x : all)
             write(x);
     }
@@ -202,8 +202,8 @@ class TapeReader {
         if (has_value) read(x.emplace());
     }
 
-    template <class T, std::size_t N>
-    void read(std::array<T, N>& all) {
+    template <class T, std::size_t kSize>
+    void read(std::array<T, kSize>& all) {
         for (T& x : all)
             read(x);
     }
