@@ -35,8 +35,8 @@ Exact exact(DoubleDouble x) {
 /// Over 2^-40 to 2^40, with all its bits.
 Real random_number(lab::Random& random) {
     Real x = 1;
-    for (Real unit = 0.5; unit > kEpsilon; unit /= Real{0x1p53})
-        x += unit * random.uniform(0, 1);
+    for (const int bits : {1, 54, 107})  // 53 at a time
+        x += power_of_two(-bits) * random.uniform(0, 1);
     return x * power_of_two(static_cast<int>(random.below(81)) - 40);
 }
 
