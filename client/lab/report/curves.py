@@ -88,8 +88,8 @@ def _growth(curves):
     if not ratios or len(sizes) != 1:
         return "What a shot costs as balls are added"
     ((first, last),) = sizes
-    growth = listed(f"{times(ratio)} times ({label})" for ratio, label in dict.fromkeys((ratios[0], ratios[-1])))
-    return f"A shot with {last} balls costs as much as one with {first} {growth}"
+    growth = " to ".join(f"{times(ratio)}-fold ({label})" for ratio, label in dict.fromkeys((ratios[0], ratios[-1])))
+    return f"From {first} balls to {last}, what a shot costs grows {growth}"
 
 
 def crowds(accuracy, source):

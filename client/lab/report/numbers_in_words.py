@@ -40,7 +40,7 @@ def quantity(value, unit, digits=3):
 
 def metres(value, digits=3):
     """As quantity, with centimetres where they are what people say."""
-    if value is not None and 0.00995 < value < 0.995:
+    if value is not None and 0.009995 <= value < 0.995:
         return f"{_digits(value * 100, digits)} cm"
     return quantity(value, "m", digits)
 

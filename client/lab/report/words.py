@@ -4,6 +4,9 @@ from findings import ENOUGH_ERROR, ENOUGH_FLIPS, has_verdicts, is_good_enough, m
 from numbers_in_words import listed, metres, percent, plain, time_of_ns, times
 from results import median_of, point_of
 
+# Times are good to some 10 %.
+NOTICEABLE = 1.1
+
 
 def _runs(points):
     """Points as people say them: `euler at 15 to 60 Hz, event`."""
@@ -124,11 +127,12 @@ def effects_in_words(effects):
     moving = [effect for effect in effects if effect["rest_change"]]
     if moving:
         worth = max(moving, key=lambda effect: effect["rest_change"]["median"])
-        said.append(f"Most is lost without {worth['effect']}: in the median shot of {worth['ensemble'].replace('_', ' ')} a ball rests "
-                    f"{metres(worth['rest_change']['median'])} away, and {percent(worth['verdict_flips'])} of the verdicts change.")
+        said.append(f"Most is lost without {worth['effect']}: in the median shot of {worth['ensemble'].replace('_', ' ')} a ball "
+                    f"rests {metres(worth['rest_change']['median'])} away, and {percent(worth['verdict_flips'])} of the verdicts change.")
     idle = [effect for effect in effects if effect["zero"]]
     if idle:
         worst = max(idle, key=lambda effect: ratio(effect, "zero"))
-        said.append(f"An effect that a scene names at zero is paid for all the same: up to {times(ratio(worst, 'zero'))} times the time "
-                    f"({worst['effect']}), for the same shot.")
+        if ratio(worst, "zero") > NOTICEABLE:
+            said.append(f"An effect that a scene names at zero is paid for all the same: up to {times(ratio(worst, 'zero'))} times the "
+                        f"time ({worst['effect']}), for the same shot.")
     return " ".join(said)

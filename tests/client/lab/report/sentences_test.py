@@ -23,8 +23,9 @@ def labels(points):
 
 class NumbersTest(unittest.TestCase):
     def test_lengths_have_the_unit_that_people_use(self):
-        for metres, said in ((0, "0 m"), (1.234, "1.23 m"), (0.2, "20.0 cm"), (9.996e-3, "1.00 cm"), (2e-3, "2.00 mm"), (1e-6, "1.00 µm"),
-                             (5e-10, "500 pm"), (3e-15, "3.00 fm"), (2.5e-16, "2.5 × 10⁻¹⁶ m"), (2e4, "2.0 × 10⁴ m"), (None, "–")):
+        for metres, said in ((0, "0 m"), (1.234, "1.23 m"), (0.2, "20.0 cm"), (9.996e-3, "1.00 cm"), (9.96e-3, "9.96 mm"),
+                             (2e-3, "2.00 mm"), (1e-6, "1.00 µm"), (5e-10, "500 pm"), (3e-15, "3.00 fm"),
+                             (2.5e-16, "2.5 × 10⁻¹⁶ m"), (2e4, "2.0 × 10⁴ m"), (None, "–")):
             with self.subTest(metres):
                 self.assertEqual(said, say.metres(metres))
 
