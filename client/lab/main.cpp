@@ -93,6 +93,7 @@ void add_accuracy(CLI::App& app, AccuracyOptions& options) {
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->type_name("N");
     command->add_option("--seed", options.plan.seed, "Other shots of the same kinds")
+        ->check(CLI::NonNegativeNumber)
         ->type_name("N")
         ->capture_default_str();
     command->add_option("--out", options.out, "Also writes DIR/accuracy.csv and DIR/accuracy.json")
