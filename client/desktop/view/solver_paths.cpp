@@ -88,7 +88,7 @@ int hidden(const SDL_FRect& box, SDL_FPoint from, SDL_FPoint to) {
 }
 
 int hidden(const Layout& layout, const SDL_FRect& box, std::span<const SolverView> solvers) {
-    constexpr int kBall = 20;  // worse to hide than a path
+    constexpr int kBall = 200;  // worse to hide than a path
     const float edge = layout.ball;
     const SDL_FRect near{box.x - edge, box.y - edge, box.w + 2 * edge, box.h + 2 * edge};
     int count = 0;
@@ -141,11 +141,12 @@ SDL_FRect legend_box(const Layout& layout, std::span<const SolverView> solvers, 
     const float right = cloth.x + cloth.w - gap - size.x;
     const float top = cloth.y + gap;
     const float bottom = cloth.y + cloth.h - gap - size.y;
+    constexpr int kPlaces = 9;  // along each rail
     SDL_FRect best{};
     int least = std::numeric_limits<int>::max();
-    for (const SDL_FPoint corner : {SDL_FPoint{left, top}, SDL_FPoint{right, top},
-                                    SDL_FPoint{left, bottom}, SDL_FPoint{right, bottom}}) {
-        const SDL_FRect box{corner.x, corner.y, size.x, size.y};
+    for (int i = 0; i < 2 * kPlaces; ++i) {
+        const float share = static_cast<float>(i / 2) / (kPlaces - 1);
+        const SDL_FRect box{mix(left, right, share), i % 2 == 0 ? top : bottom, size.x, size.y};
         const int count = hidden(layout, box, solvers);
         if (count >= least) continue;
         least = count;

@@ -17,7 +17,8 @@ void add_solver_paths(Mesh& mesh, const Layout& layout, std::span<const SolverVi
 /// A ring where each solver has each ball now.
 void add_solver_ghosts(Mesh& mesh, const Layout& layout, std::span<const SolverView> solvers);
 
-/// Where a legend of that size (px) hides the least of the paths: in a corner of the cloth.
+/// Where a legend of that size (px) hides no ball, if there is such a place, and the least of the
+/// paths: at the N or S rail.
 [[nodiscard]] SDL_FRect legend_box(const Layout& layout, std::span<const SolverView> solvers,
                                    SDL_FPoint size);
 /// Who is who, what each costs and how far off it ends.

@@ -77,12 +77,29 @@ TEST(SolverPaths, TheLegendKeepsOutOfTheWay) {
     for (const Vec2 free : {Vec2{x, y}, Vec2{-x, y}, Vec2{x, -y}, Vec2{-x, -y}}) {
         std::vector<SolverView> solvers;
         for (const Vec2 corner : {Vec2{x, y}, Vec2{-x, y}, Vec2{x, -y}, Vec2{-x, -y}}) {
-            if (corner != free) solvers.push_back(straight(corner, 0.7 * corner));
+            if (corner != free) solvers.push_back(straight(corner, {0, 0.9 * corner.y}));
         }
         const SDL_FRect box = legend_box(layout, solvers, {300, 80});
-        const SDL_FPoint corner = layout.to_pixels(0.95 * free);
-        EXPECT_TRUE(overlap(box, corner)) << free.x << ' ' << free.y;
+        const Vec2 middle = layout.to_table({box.x + box.w / 2, box.y + box.h / 2});
+        EXPECT_GT(middle.x * free.x, 0) << free.x << ' ' << free.y;
+        EXPECT_GT(middle.y * free.y, 0) << free.x << ' ' << free.y;
     }
+}
+
+TEST(SolverPaths, TheLegendRatherHidesPathsThanABall) {
+    const ViewState state = samples::start();
+    const Layout layout = layout_for(state);
+    std::vector<SolverView> solvers;
+    for (const double x : {-0.6, 0.6}) {
+        for (const double y : {-0.3, 0.3}) {
+            for (int i = 0; i < 5; ++i)
+                solvers.push_back(straight({x, y}, {0, y}));
+        }
+    }
+    solvers.push_back(straight({-0.7, 0.3}, {-0.6, 0.3}));
+    const SDL_FRect box = legend_box(layout, solvers, {300, 80});
+    for (const SolverView& solver : solvers)
+        EXPECT_FALSE(overlap(box, layout.to_pixels(solver.balls[0])));
 }
 
 TEST(SolverPaths, TheLegendIsDrawnAtEverySize) {
