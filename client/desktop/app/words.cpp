@@ -72,7 +72,8 @@ std::string hint(const MatchInfo& info, const ShownTable& shown, bool step_mode)
     const auto& table = shown.table();
     if (!table) return info.trouble.empty() ? "" : "Esc leaves";
     if (!shown.at_rest()) {
-        if (step_mode) return "Step mode: Space advances 1/30 s, F5 adds other solvers, F3 leaves it";
+        if (step_mode)
+            return "Step mode: Space advances 1/30 s, F5 adds other solvers, F3 leaves it";
         if (shown.result() && practice(info)) return "Space starts a new game";
         return shown.scratched() ? "Scratch: the cue ball is down" : "";
     }
