@@ -264,9 +264,9 @@ class Cloth {
 
     /// Whether its centre moves. Balls that only roll are at rest when they do not.
     [[nodiscard]] static bool moves_on(const MovingBall& ball) {
-        if constexpr (Set::template kHas<Sliding> || Set::template kHas<Airborne>)
-            return ball.v != Vec2{};
-        return ball.motion == Motion::kRolling;
+        constexpr bool kSlides = Set::template kHas<Sliding>;
+        constexpr bool kFlies = Set::template kHas<Airborne>;
+        return kSlides || kFlies ? ball.v != Vec2{} : ball.motion == Motion::kRolling;
     }
 
     void slide(const MovingBall& ball, Arc& arc) const {
