@@ -1,6 +1,7 @@
 #include "client/lab/accuracy/accuracy_command.hpp"
 #include "client/lab/bench_command.hpp"
 #include "client/lab/compare/compare_command.hpp"
+#include "client/lab/effects/effects_command.hpp"
 #include "client/lab/simulate_command.hpp"
 #include "client/lab/solver_option.hpp"
 
@@ -23,6 +24,7 @@ struct Options {
     SimulateOptions simulate;
     CompareOptions compare;
     AccuracyOptions accuracy;
+    EffectsOptions effects;
     std::string file = "-";
     std::string csv;
 };
@@ -106,9 +108,27 @@ void add_accuracy(CLI::App& app, AccuracyOptions& options) {
     options.bar = isatty(STDERR_FILENO) == 1;
 }
 
+void add_effects(CLI::App& app, EffectsOptions& options) {
+    CLI::App* command = app.add_subcommand(
+        "effects", "What every kernel and every effect costs, and how far each moves the balls");
+    command->add_flag("--quick", options.quick, "Fewer shots: some seconds");
+    command->add_option("--shots", options.shots, "Of each kernel and effect; else 200")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->type_name("N");
+    command->add_option("--seed", options.seed, "Other shots of the same kinds")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_option("--out", options.out, "Also writes DIR/effects.csv and DIR/effects.json")
+        ->type_name("DIR");
+    options.bar = isatty(STDERR_FILENO) == 1;
+}
+
 Status run(const CLI::App& app, const Options& options) {
     if (app.got_subcommand("accuracy"))
         return measure_accuracy(options.accuracy, std::cout, std::cerr);
+    if (app.got_subcommand("effects"))
+        return measure_effects(options.effects, std::cout, std::cerr);
     if (app.got_subcommand("bench")) return bench(options.csv, std::cout, std::cerr);
     if (app.got_subcommand("hash")) return print_hashes(std::cout);
     if (app.got_subcommand("compare"))
@@ -120,12 +140,13 @@ int run_program(int argc, char** argv) {
     Options options;
     CLI::App app(
         "Simulates scenes, and measures what that costs.\n"
-        "Exit status: 0 fine, 1 a benchmark's answer is wrong, 2 bad input, 130 interrupted.",
+        "Exit status: 0 fine, 1 an answer is wrong, 2 bad input, 130 interrupted.",
         "poolhall-lab");
     app.require_subcommand(1);
     add_simulate(app, options);
     add_compare(app, options.compare);
     add_accuracy(app, options.accuracy);
+    add_effects(app, options.effects);
     CLI::App* bench =
         app.add_subcommand("bench", "Shots a second, ns an event, ns a ball-step, beside others");
     bench->add_option("--csv", options.csv, "Also write the table as CSV")->type_name("FILE");

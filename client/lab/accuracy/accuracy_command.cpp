@@ -1,8 +1,10 @@
 #include "client/lab/accuracy/accuracy_command.hpp"
 
-#include "client/lab/accuracy/accuracy_files.hpp"
 #include "client/lab/accuracy/accuracy_table.hpp"
 #include "client/lab/accuracy/side_runs.hpp"
+#include "client/lab/long_run.hpp"
+#include "client/lab/progress.hpp"
+#include "client/lab/result_files.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -37,8 +39,7 @@ class AccuracyRun {
         result_.seed = options_.plan.seed;
         result_.quick = options_.plan.quick;
         result_.build = build_info();
-        out_ << result_.command << "\ncompiler   " << result_.build.compiler << "\nflags      "
-             << result_.build.flags << "\nprocessor  " << result_.build.processor << std::endl;
+        print_head(out_, result_.command, result_.build);
         result_.complete = run_parts();
         progress_.clear();
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
@@ -87,11 +88,6 @@ class AccuracyRun {
     AccuracyResult result_;
 };
 
-Status fail(std::ostream& error, const std::string& fault) {
-    error << "poolhall-lab: " << fault << '\n';
-    return Status::kBadInput;
-}
-
 }  // namespace
 
 std::vector<std::string> parts_of_accuracy() {
@@ -103,18 +99,14 @@ std::vector<std::string> parts_of_accuracy() {
 }
 
 Status measure_accuracy(const AccuracyOptions& options, std::ostream& out, std::ostream& error) {
-    std::optional<AccuracyFiles> files;
-    if (!options.out.empty()) files.emplace(options.out);
-    if (files && files->fault()) return fail(error, *files->fault());
+    ResultFiles files(options.out, "accuracy");
+    if (files.fault()) return fail(error, *files.fault());
     const Interruption interruption;
     const AccuracyResult result = AccuracyRun(options, out, error).run();
-    if (files) files->write(result);
-    if (files && files->fault()) return fail(error, *files->fault());
-    if (result.complete) return Status::kGood;
-    error << "poolhall-lab: interrupted; "
-          << (files ? "what was finished is in " + options.out : "what was finished is above")
-          << '\n';
-    return Status::kInterrupted;
+    files.write([&](std::ostream& json) { write_json(json, result); },
+                [&](std::ostream& csv) { write_csv(csv, result); });
+    if (files.fault()) return fail(error, *files.fault());
+    return result.complete ? Status::kGood : say_interrupted(error, options.out);
 }
 
 }  // namespace poolhall::lab

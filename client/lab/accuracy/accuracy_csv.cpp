@@ -1,5 +1,6 @@
 #include "client/compare/contenders.hpp"
-#include "client/lab/accuracy/accuracy_files.hpp"
+#include "client/lab/accuracy/results.hpp"
+#include "client/lab/csv_line.hpp"
 #include "shared/physics/trace.hpp"
 
 #include <iomanip>
@@ -8,45 +9,6 @@
 namespace poolhall::lab {
 
 namespace {
-
-/// Writes cells with commas between them; what is not there is an empty cell.
-class CsvLine {
-  public:
-    explicit CsvLine(std::ostream& out) : out_(out) {}
-
-    template <class Value>
-    CsvLine& operator<<(const Value& value) {
-        if (!first_) out_ << ',';
-        first_ = false;
-        put(value);
-        return *this;
-    }
-
-  private:
-    template <class Value>
-    void put(const Value& value) {
-        out_ << value;
-    }
-
-    void put(const std::optional<double>& value) {
-        if (value) out_ << *value;
-    }
-
-    void put(const Spread& spread) {
-        out_ << spread.median << ',' << spread.p90 << ',' << spread.max;
-    }
-
-    void put(const std::optional<Spread>& spread) {
-        if (spread) {
-            put(*spread);
-        } else {
-            out_ << ",,";
-        }
-    }
-
-    std::ostream& out_;
-    bool first_ = true;
-};
 
 /// As CSV quotes text.
 std::string quoted(const std::string& text) {

@@ -1,5 +1,5 @@
 #include "client/compare/contenders.hpp"
-#include "client/lab/accuracy/accuracy_files.hpp"
+#include "client/lab/accuracy/results.hpp"
 #include "shared/physics/trace.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "client/lab/accuracy/progress.hpp"
 #include "client/lab/accuracy/results.hpp"
 #include "client/lab/bench_clock.hpp"
 #include "client/lab/ensembles/ensembles.hpp"
+#include "client/lab/progress.hpp"
 
 #include <cstdint>
 #include <optional>

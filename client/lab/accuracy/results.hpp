@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -95,5 +96,10 @@ struct AccuracyResult {
     std::vector<Tunnelling> tunnelling;
     std::vector<CrowdCosts> crowds;
 };
+
+/// "poolhall.accuracy/1" (README.md).
+void write_json(std::ostream& out, const AccuracyResult& result);
+/// A line a point.
+void write_csv(std::ostream& out, const AccuracyResult& result);
 
 }  // namespace poolhall::lab

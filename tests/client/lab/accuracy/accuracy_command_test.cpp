@@ -1,6 +1,6 @@
 #include "client/lab/accuracy/accuracy_command.hpp"
 
-#include "client/lab/accuracy/accuracy_files.hpp"
+#include "client/lab/result_files.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -174,7 +174,7 @@ TEST_F(Accuracy, AFolderThatCannotBeWrittenIsSaidBeforeTheRun) {
 TEST_F(Accuracy, OlderResultsStayUntilThereAreNewOnes) {
     std::ofstream(folder / "accuracy.json") << "old";
     {
-        const AccuracyFiles files(folder);
+        const ResultFiles files(folder, "accuracy");
         EXPECT_FALSE(files.fault());
     }
     std::ifstream in(folder / "accuracy.json");

@@ -1,4 +1,4 @@
-#include "client/lab/accuracy/progress.hpp"
+#include "client/lab/progress.hpp"
 
 #include <csignal>
 #include <iomanip>

@@ -1,4 +1,4 @@
-#include "client/lab/accuracy/accuracy_files.hpp"
+#include "client/lab/result_files.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -6,18 +6,19 @@
 
 namespace poolhall::lab {
 
-AccuracyFiles::AccuracyFiles(const std::filesystem::path& folder) {
+ResultFiles::ResultFiles(const std::filesystem::path& folder, const std::string& name) {
+    if (folder.empty()) return;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) {
         fault_ = folder.string() + " cannot be made: " + error.message();
         return;
     }
-    open(json_, folder / "accuracy.json");
-    if (!fault_) open(csv_, folder / "accuracy.csv");
+    open(json_, folder / (name + ".json"));
+    if (!fault_) open(csv_, folder / (name + ".csv"));
 }
 
-AccuracyFiles::~AccuracyFiles() {
+ResultFiles::~ResultFiles() {
     std::error_code ignored;
     for (Output* output : {&json_, &csv_}) {
         output->stream.close();
@@ -25,14 +26,12 @@ AccuracyFiles::~AccuracyFiles() {
     }
 }
 
-void AccuracyFiles::write(const AccuracyResult& result) {
-    write_json(json_.stream, result);
-    write_csv(csv_.stream, result);
-    finish(json_);
-    finish(csv_);
+void ResultFiles::write(const Write& json, const Write& csv) {
+    finish(json_, json);
+    finish(csv_, csv);
 }
 
-void AccuracyFiles::open(Output& output, const std::filesystem::path& file) {
+void ResultFiles::open(Output& output, const std::filesystem::path& file) {
     const std::filesystem::path part = file.string() + ".part";
     errno = 0;
     output.stream.open(part);
@@ -44,7 +43,9 @@ void AccuracyFiles::open(Output& output, const std::filesystem::path& file) {
     output.part = part;
 }
 
-void AccuracyFiles::finish(Output& output) {
+void ResultFiles::finish(Output& output, const Write& write) {
+    if (output.file.empty()) return;
+    write(output.stream);
     output.stream.close();
     std::error_code error;
     if (output.stream) std::filesystem::rename(output.part, output.file, error);

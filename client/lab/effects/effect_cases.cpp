@@ -1,0 +1,192 @@
+#include "client/lab/effects/effect_cases.hpp"
+
+#include "client/lab/ensembles/ensembles.hpp"
+
+#include <array>
+#include <cassert>
+
+namespace poolhall::lab {
+
+namespace {
+
+void as_it_is(Scene& /*scene*/) {}
+
+void without_pockets(Scene& scene) {
+    scene.table.pockets = PocketModel::kNone;
+    scene.table.circles.clear();
+}
+
+template <BallBallModel kModel>
+void balls_after(Scene& scene) {
+    scene.effects.ball_ball.model = kModel;
+}
+
+template <RailModel kModel>
+void rails_after(Scene& scene) {
+    scene.effects.rail.model = kModel;
+}
+
+void ball_restitution_of_one(Scene& scene) {
+    balls_after<BallBallModel::kRestitution>(scene);
+    scene.effects.ball_ball.e = 1;
+}
+
+void frictionless_balls(Scene& scene) {
+    balls_after<BallBallModel::kFriction>(scene);
+    scene.effects.ball_ball.mu = 0;
+    scene.effects.ball_ball.friction_by_speed.reset();
+}
+
+void rail_restitution_of_one(Scene& scene) {
+    rails_after<RailModel::kRestitution>(scene);
+    scene.effects.rail.e = 1;
+}
+
+void without_drag(Scene& scene) {
+    scene.effects.linear_drag.reset();
+}
+
+void drag_of_zero(Scene& scene) {
+    scene.effects.linear_drag->k = 0;
+}
+
+void without_sliding(Scene& scene) {
+    scene.effects.sliding.reset();
+}
+
+void sliding_of_zero(Scene& scene) {
+    scene.effects.sliding->mu = 0;
+}
+
+void without_rolling(Scene& scene) {
+    scene.effects.rolling.reset();
+}
+
+void rolling_of_zero(Scene& scene) {
+    scene.effects.rolling->mu = 0;
+}
+
+void without_spin_decay(Scene& scene) {
+    scene.effects.spin_decay.reset();
+}
+
+void spin_decay_of_zero(Scene& scene) {
+    scene.effects.spin_decay->mu = 0;
+}
+
+/// A cue that falls 0.2 m a metre: swerve.
+void raised_cue(Scene& scene) {
+    scene.strike->elevation = 0.2;
+}
+
+void level_cue(Scene& scene) {
+    scene.strike->elevation = 0;
+}
+
+/// A cue that falls 0.6 m a metre: the cue ball jumps.
+void jump(Scene& scene) {
+    scene.strike->elevation = 0.6;
+    scene.effects.airborne = AirborneSpec{};
+}
+
+void on_the_cloth(Scene& scene) {
+    scene.effects.airborne.reset();
+}
+
+constexpr auto kElasticBalls = balls_after<BallBallModel::kElastic>;
+constexpr auto kBallRestitution = balls_after<BallBallModel::kRestitution>;
+constexpr auto kElasticRails = rails_after<RailModel::kElastic>;
+constexpr auto kRailRestitution = rails_after<RailModel::kRestitution>;
+
+// What e a model has stays when another takes its place, so that just one thing differs.
+constexpr std::array kEffectCases{
+    EffectCase{"linear_drag", "end_game", as_it_is, without_drag, drag_of_zero},
+    EffectCase{"sliding", "two_balls", as_it_is, without_sliding, sliding_of_zero},
+    EffectCase{"rolling", "two_balls", as_it_is, without_rolling, rolling_of_zero},
+    EffectCase{"spin_decay", "throw_and_spin", as_it_is, without_spin_decay, spin_decay_of_zero},
+    EffectCase{"ball_ball restitution", "two_balls", kBallRestitution, kElasticBalls,
+               ball_restitution_of_one},
+    EffectCase{"ball_ball friction", "throw_and_spin", as_it_is, kBallRestitution,
+               frictionless_balls},
+    EffectCase{"rail restitution", "two_balls", kRailRestitution, kElasticRails,
+               rail_restitution_of_one},
+    EffectCase{"rail han2005", "throw_and_spin", rails_after<RailModel::kHan2005>, kRailRestitution,
+               nullptr},
+    EffectCase{"rail mathavan2010", "throw_and_spin", as_it_is, kRailRestitution, nullptr},
+    EffectCase{"rail mathavan2010 fast", "throw_and_spin",
+               rails_after<RailModel::kMathavan2010Fast>, kRailRestitution, nullptr},
+    EffectCase{"pockets end_game", "end_game", as_it_is, without_pockets, nullptr},
+    EffectCase{"pockets circles", "two_balls", as_it_is, without_pockets, nullptr},
+    EffectCase{"pockets pool", "nine_ball_break", as_it_is, without_pockets, nullptr},
+    EffectCase{"elevation", "throw_and_spin", raised_cue, level_cue, nullptr},
+    EffectCase{"airborne", "throw_and_spin", jump, on_the_cloth, nullptr},
+};
+
+// --- kernels ---------------------------------------------------------------------------------
+
+/// Without any friction a shot has no end: it is cut off.
+constexpr double kEndless = 5;  // s
+
+void on_open_cloth(Scene& scene) {
+    without_pockets(scene);
+    scene.table.rails = false;
+    scene.effects = {};
+    scene.limits.time = kEndless;
+}
+
+void between_rails(Scene& scene) {
+    without_pockets(scene);
+    scene.effects = {};
+    scene.limits.time = kEndless;
+}
+
+void rolling_only(Scene& scene) {
+    without_pockets(scene);
+    scene.effects = {};
+    scene.effects.rolling = RollingSpec{};
+}
+
+void into_end_game_pockets(Scene& scene) {
+    without_pockets(scene);
+    scene.table.pockets = PocketModel::kEndGame;
+}
+
+void into_mouths(Scene& scene) {
+    without_pockets(scene);
+    scene.table.pockets = PocketModel::kPool;
+}
+
+constexpr std::array kKernelCases{
+    KernelCase{"open_cloth", "two_balls", on_open_cloth},
+    KernelCase{"rails", "two_balls", between_rails},
+    KernelCase{"drag_rails", "end_game", without_pockets},
+    KernelCase{"drag_rails_pockets", "end_game", as_it_is},
+    KernelCase{"roll", "two_balls", rolling_only},
+    KernelCase{"slide_roll", "two_balls", without_spin_decay},
+    KernelCase{"slide_roll_spin", "two_balls", as_it_is},
+    KernelCase{"slide_roll_spin_end_game", "two_balls", into_end_game_pockets},
+    KernelCase{"slide_roll_spin_mouths", "two_balls", into_mouths},
+    KernelCase{"everything", "two_balls", jump},
+};
+
+}  // namespace
+
+std::span<const EffectCase> effect_cases() {
+    return kEffectCases;
+}
+
+std::span<const KernelCase> kernel_cases() {
+    return kKernelCases;
+}
+
+std::vector<Scene> changed_scenes(std::string_view ensemble, std::uint64_t seed, std::size_t count,
+                                  ChangeScene change) {
+    const Ensemble* const shots = find_ensemble(ensemble);
+    assert(shots);
+    std::vector<Scene> scenes = scenes_of(*shots, seed, count);
+    for (Scene& scene : scenes)
+        change(scene);
+    return scenes;
+}
+
+}  // namespace poolhall::lab

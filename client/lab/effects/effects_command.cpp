@@ -1,0 +1,172 @@
+#include "client/lab/effects/effects_command.hpp"
+
+#include "client/compare/agreement.hpp"
+#include "client/lab/effects/effect_cases.hpp"
+#include "client/lab/effects/effect_prices.hpp"
+#include "client/lab/effects/effects_results.hpp"
+#include "client/lab/long_run.hpp"
+#include "client/lab/progress.hpp"
+#include "client/lab/result_files.hpp"
+#include "shared/physics/simulate.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace poolhall::lab {
+
+namespace {
+
+constexpr std::size_t kShots = 200;
+constexpr std::size_t kQuickShots = 20;
+
+/// The command line that gives the same again.
+std::string command_of(const EffectsOptions& options) {
+    std::string text = "poolhall-lab effects";
+    if (options.quick) text += " --quick";
+    if (options.shots > 0) text += " --shots " + std::to_string(options.shots);
+    return text + " --seed " + std::to_string(options.seed);
+}
+
+/// The same shots without the effect, or with it at zero strength. Without friction they might have
+/// no end, so they are cut off when those with it are at rest.
+std::vector<Scene> weaker(std::vector<Scene> shots, ChangeScene change,
+                          const std::vector<ShotTrace>& present) {
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        change(shots[i]);
+        shots[i].limits.time = std::max(present[i].duration, 1e-3);
+    }
+    return shots;
+}
+
+std::vector<ShotTrace> traces_of(const std::vector<Scene>& shots) {
+    std::vector<ShotTrace> traces(shots.size());
+    Simulator simulator;
+    for (std::size_t i = 0; i < shots.size(); ++i)
+        simulator.simulate(shots[i], 0, traces[i]);
+    return traces;
+}
+
+bool are_same(const std::vector<ShotTrace>& a, const std::vector<ShotTrace>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const ShotTrace& x, const ShotTrace& y) { return x.hash == y.hash; });
+}
+
+double farthest(const ShotTrace& a, const ShotTrace& b) {
+    const std::vector<double> distances = compare::rest_distances(a, b);
+    return *std::max_element(distances.begin(), distances.end());
+}
+
+/// What the effect does to the outcome.
+void compare_outcomes(const std::vector<ShotTrace>& present, const std::vector<ShotTrace>& absent,
+                      EffectRow& row) {
+    std::vector<double> changes;
+    std::size_t flips = 0;
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        changes.push_back(farthest(present[i], absent[i]));
+        if (!compare::is_same_verdict(present[i], absent[i])) ++flips;
+    }
+    row.verdict_flips = static_cast<double>(flips) / static_cast<double>(present.size());
+    row.rest_change = *spread_of(std::move(changes));
+}
+
+class EffectsRun {
+  public:
+    EffectsRun(const EffectsOptions& options, std::ostream& out, std::ostream& error)
+        : options_(options), out_(out), progress_(error, options.bar) {}
+
+    EffectsResult run() {
+        result_.command = command_of(options_);
+        result_.seed = options_.seed;
+        result_.shots = options_.shots > 0 ? options_.shots : options_.quick ? kQuickShots : kShots;
+        result_.build = build_info();
+        print_head(out_, result_.command, result_.build);
+        result_.complete = run_kernels() && run_effects();
+        progress_.clear();
+        return std::move(result_);
+    }
+
+    /// The effect of which shots without it and shots with it at zero strength differ; empty if
+    /// none does.
+    [[nodiscard]] const std::string& wrong() const { return wrong_; }
+
+  private:
+    [[nodiscard]] std::vector<Scene> scenes(std::string_view ensemble, ChangeScene change) const {
+        return changed_scenes(ensemble, options_.seed, result_.shots, change);
+    }
+
+    /// False if it was interrupted.
+    bool run_kernels() {
+        progress_.begin("kernels", kernel_cases().size());
+        for (const KernelCase& one : kernel_cases()) {
+            if (Interruption::asked_for()) return false;
+            const std::vector<Scene> shots = scenes(one.ensemble, one.change);
+            result_.kernels.push_back({std::string(one.kernel), std::string(one.ensemble),
+                                       prices_of(shots, options_.repeats()),
+                                       price_by("everything", shots, options_.repeats())});
+            progress_.step();
+        }
+        progress_.clear();
+        print_kernels(out_, result_.kernels);
+        return true;
+    }
+
+    /// False if it was interrupted, or an effect is wrong.
+    bool run_effects() {
+        progress_.begin("effects", effect_cases().size());
+        for (const EffectCase& one : effect_cases()) {
+            if (Interruption::asked_for() || !run_effect(one)) return false;
+            progress_.step();
+        }
+        progress_.clear();
+        print_effects(out_, result_.effects);
+        return true;
+    }
+
+    bool run_effect(const EffectCase& one) {
+        EffectRow row{std::string(one.effect), std::string(one.ensemble), {}, {}, {}, {}, 0};
+        const std::vector<Scene> present = scenes(one.ensemble, one.present);
+        const std::vector<ShotTrace> traces = traces_of(present);
+        const std::vector<Scene> absent = weaker(present, one.absent, traces);
+        const std::vector<ShotTrace> without = traces_of(absent);
+        compare_outcomes(traces, without, row);
+        row.present = prices_of(present, options_.repeats());
+        row.absent = prices_of(absent, options_.repeats());
+        if (one.zero) {
+            const std::vector<Scene> zero = weaker(present, one.zero, traces);
+            if (!are_same(without, traces_of(zero))) {
+                wrong_ = row.effect;
+                return false;
+            }
+            row.zero = prices_of(zero, options_.repeats());
+        }
+        result_.effects.push_back(std::move(row));
+        return true;
+    }
+
+    const EffectsOptions& options_;
+    std::ostream& out_;
+    Progress progress_;
+    EffectsResult result_;
+    std::string wrong_;
+};
+
+}  // namespace
+
+Status measure_effects(const EffectsOptions& options, std::ostream& out, std::ostream& error) {
+    ResultFiles files(options.out, "effects");
+    if (files.fault()) return fail(error, *files.fault());
+    const Interruption interruption;
+    EffectsRun run(options, out, error);
+    const EffectsResult result = run.run();
+    if (!run.wrong().empty()) {
+        error << "poolhall-lab: " << run.wrong()
+              << ": shots without it and with it at zero strength differ\n";
+        return Status::kWrong;
+    }
+    files.write([&](std::ostream& json) { write_json(json, result); },
+                [&](std::ostream& csv) { write_csv(csv, result); });
+    if (files.fault()) return fail(error, *files.fault());
+    return result.complete ? Status::kGood : say_interrupted(error, options.out);
+}
+
+}  // namespace poolhall::lab

@@ -1,0 +1,77 @@
+#include "client/lab/effects/effects_results.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace poolhall::lab {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json json_of(const Price& price) {
+    return {{"ns", price.ns}, {"instructions", json_of(price.instructions)}};
+}
+
+Json json_of(const std::optional<Price>& price) {
+    return price ? json_of(*price) : Json();
+}
+
+Json json_of(const KernelRow& row) {
+    return {{"kernel", row.kernel},
+            {"ensemble", row.ensemble},
+            {"per_ball_step", json_of(row.prices.per_ball_step)},
+            {"per_event", json_of(row.prices.per_event)},
+            {"per_shot", json_of(row.prices.per_shot)},
+            {"per_shot_by_everything", json_of(row.by_everything)}};
+}
+
+Json variant_of(const ShotPrices& prices) {
+    const auto& step = prices.per_ball_step;
+    return {{"ns_per_shot", prices.per_shot.ns},
+            {"instructions_per_shot", json_of(prices.per_shot.instructions)},
+            {"ns_per_event", prices.per_event.ns},
+            {"instructions_per_event", json_of(prices.per_event.instructions)},
+            {"ns_per_ball_step", step ? Json(step->ns) : Json()},
+            {"instructions_per_ball_step", step ? json_of(step->instructions) : Json()}};
+}
+
+Json json_of(const EffectRow& row) {
+    const Spread& change = row.rest_change;
+    return {{"effect", row.effect},
+            {"ensemble", row.ensemble},
+            {"absent", variant_of(row.absent)},
+            {"zero", row.zero ? variant_of(*row.zero) : Json()},
+            {"present", variant_of(row.present)},
+            {"rest_change", {{"median", change.median}, {"p90", change.p90}, {"max", change.max}}},
+            {"verdict_flips", row.verdict_flips}};
+}
+
+template <class Row>
+Json json_of(const std::vector<Row>& rows) {
+    Json json = Json::array();
+    for (const Row& row : rows)
+        json.push_back(json_of(row));
+    return json;
+}
+
+}  // namespace
+
+void write_json(std::ostream& out, const EffectsResult& result) {
+    const BuildInfo& build = result.build;
+    const Json json{
+        {"schema", "poolhall.effects/1"},
+        {"command", result.command},
+        {"seed", result.seed},
+        {"shots", result.shots},
+        {"complete", result.complete},
+        {"build", {{"compiler", build.compiler}, {"flags", build.flags}, {"cpu", build.processor}}},
+        {"kernels", json_of(result.kernels)},
+        {"effects", json_of(result.effects)}};
+    out << json.dump(1) << '\n';
+}
+
+}  // namespace poolhall::lab

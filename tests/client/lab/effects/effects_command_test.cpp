@@ -1,0 +1,84 @@
+#include "client/lab/effects/effects_command.hpp"
+
+#include "client/lab/effects/effect_cases.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace poolhall::lab {
+namespace {
+
+using nlohmann::json;
+
+class EffectsCommand : public ::testing::Test {
+  protected:
+    EffectsCommand()
+        : folder_(std::filesystem::path(::testing::TempDir()) /
+                  ("effects_" +
+                   std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+        std::filesystem::remove_all(folder_);
+    }
+
+    ~EffectsCommand() override { std::filesystem::remove_all(folder_); }
+
+    /// Runs it on few shots; the results without their times.
+    json run(std::uint64_t seed) {
+        EXPECT_EQ(Status::kGood,
+                  measure_effects({seed, true, 2, folder_.string(), false}, out_, error_))
+            << error_.str();
+        json result = json::parse(std::ifstream(folder_ / "effects.json"));
+        return result;
+    }
+
+    /// What of it hangs on the seed alone.
+    static json outcomes(const json& result) {
+        json all = json::array();
+        for (const json& effect : result["effects"])
+            all.push_back({effect["effect"], effect["rest_change"], effect["verdict_flips"]});
+        return all;
+    }
+
+    std::filesystem::path folder_;
+    std::ostringstream out_;
+    std::ostringstream error_;
+};
+
+TEST_F(EffectsCommand, WritesARowForEveryKernelAndEffect) {
+    const json result = run(1);
+    EXPECT_EQ("poolhall.effects/1", result["schema"]);
+    EXPECT_EQ(true, result["complete"]);
+    ASSERT_EQ(kernel_cases().size(), result["kernels"].size());
+    ASSERT_EQ(effect_cases().size(), result["effects"].size());
+    for (const json& kernel : result["kernels"])
+        EXPECT_GT(kernel["per_shot"]["ns"], 0) << kernel;
+    for (const json& effect : result["effects"]) {
+        EXPECT_GT(effect["present"]["ns_per_event"], 0) << effect;
+        EXPECT_NE(std::string::npos, out_.str().find(effect["effect"].get<std::string>()));
+    }
+    std::ifstream csv(folder_ / "effects.csv");
+    std::size_t lines = 0;
+    for (std::string line; std::getline(csv, line); ++lines)
+        EXPECT_EQ(13, std::count(line.begin(), line.end(), ',')) << line;
+    EXPECT_GT(lines, 1 + kernel_cases().size() + 2 * effect_cases().size());
+}
+
+TEST_F(EffectsCommand, GivesTheSameForTheSameSeedButTimes) {
+    const json first = outcomes(run(7));
+    EXPECT_EQ(first, outcomes(run(7)));
+    EXPECT_NE(first, outcomes(run(8)));
+}
+
+TEST_F(EffectsCommand, SaysAtOnceThatTheFolderCannotBeMade) {
+    std::ofstream(folder_.string()) << "a file";
+    EXPECT_EQ(Status::kBadInput,
+              measure_effects({1, true, 2, (folder_ / "under").string(), false}, out_, error_));
+    EXPECT_NE(std::string::npos, error_.str().find(folder_.string())) << error_.str();
+    EXPECT_EQ("", out_.str());
+}
+
+}  // namespace
+}  // namespace poolhall::lab
