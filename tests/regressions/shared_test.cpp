@@ -170,5 +170,23 @@ TEST(Regression, BallsThatTouchToWithinRoundingAndArePressedMeetAtOnce) {
         EXPECT_LE(first_contact(arc, kDiameter, horizon), 1e-8) << horizon;
 }
 
+TEST(Regression, BallThatJumpsComesToRestByStepsToo) {
+    // Explicit Euler let it come down faster than it had left, and it bounced up to the time limit.
+    for (const SolverKind kind : {SolverKind::kEuler, SolverKind::kSemiImplicit}) {
+        for (const double e : {0.5, 0.9, 0.98}) {
+            for (const double hz : {15, 30, 240}) {
+                Scene scene = testing::scene_of({{-1, 0}});
+                scene.effects = lab::cloth_effects();
+                scene.effects.airborne = AirborneSpec{e};
+                scene.balls[0].state.v = {1, 0.2, 2};
+                scene.solver = {kind, hz};
+                const ShotTrace trace = simulate(scene);
+                EXPECT_EQ(Outcome::kRest, trace.outcome) << name(kind) << ' ' << hz << ' ' << e;
+                EXPECT_LT(trace.events.size(), 300U);
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace poolhall

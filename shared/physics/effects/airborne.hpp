@@ -44,10 +44,13 @@ class Airborne {
         return ball.motion == Motion::kAirborne && ball.height >= rail_height_;
     }
 
-    /// An explicit Euler step of dt (s), places done. True where the ball bounces.
+    /// A step of dt (s) of its velocity. True where the ball bounces; it is not pulled down then.
     [[nodiscard]] bool kick(MovingBall& ball, Real dt) const {
         if (ball.height <= 0 && ball.climb < 0) {
             ball.height = 0;
+            // A flight of whole ticks ends as fast as it began and up to a tick's fall more: with
+            // that the ball would bounce forever.
+            ball.climb = std::min(ball.climb + gravity_ * dt, Real{0});
             bounce(ball);
             return true;
         }
