@@ -1,8 +1,8 @@
 #include "client/compare/agreement.hpp"
 
+#include "client/compare/number_text.hpp"
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <map>
 
 namespace poolhall::compare {
@@ -71,9 +71,7 @@ class NextEvents {
 };
 
 std::string seconds(double t) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.6g s", t);
-    return text.data();
+    return formatted("%.6g s", t);
 }
 
 /// Impacts of each pair, the lower place first.

@@ -2,21 +2,14 @@
 
 #include "client/compare/agreement.hpp"
 #include "client/compare/cpu_time.hpp"
+#include "client/compare/number_text.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace poolhall::compare {
 
 namespace {
-
-std::string formatted(const char* format, double value) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
 
 /// The sample rate at which the trace's samples fit into kMaxPlaces.
 double affordable_hz(const ShotTrace& trace, double wanted) {
@@ -88,14 +81,6 @@ Contest contest(Scene scene, std::span<const SolverSpec> solvers, const ContestR
 std::string label(const SolverSpec& solver) {
     const std::string kind(name(solver.kind));
     return solver.kind == SolverKind::kEvent ? kind : kind + formatted(":%g", solver.hz);
-}
-
-std::string text_of_cost(double cpu_ns) {
-    return formatted(cpu_ns < 1e6 ? "%.3g \xC2\xB5s" : "%.0f \xC2\xB5s", cpu_ns / 1e3);
-}
-
-std::string text_of_distance(double metres) {
-    return formatted("%.4g mm", metres * 1e3);
 }
 
 std::optional<FarthestBall> farthest_ball(const Contender& contender) {

@@ -44,10 +44,6 @@ inline constexpr double kMaxPlaces = 1e6;
 
 /// "event", "euler:30": as the lab's options name a solver.
 [[nodiscard]] std::string label(const SolverSpec& solver);
-/// "12.3 µs".
-[[nodiscard]] std::string text_of_cost(double cpu_ns);
-/// "12.35 mm".
-[[nodiscard]] std::string text_of_distance(double metres);
 
 /// The largest of the rest distances, m, and its ball; nothing for a refusal.
 struct FarthestBall {

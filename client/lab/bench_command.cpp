@@ -1,12 +1,11 @@
 #include "client/lab/bench_command.hpp"
 
+#include "client/compare/number_text.hpp"
 #include "client/lab/bench_rows.hpp"
 #include "client/lab/build_info.hpp"
 #include "client/lab/corpora.hpp"
 #include "shared/physics/trace.hpp"
 
-#include <array>
-#include <cstdio>
 #include <fstream>
 
 namespace poolhall::lab {
@@ -15,9 +14,7 @@ namespace {
 
 /// Four significant digits.
 std::string text_of(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
+    return compare::formatted("%.4g", value);
 }
 
 std::string padded(const std::string& text, std::size_t width) {

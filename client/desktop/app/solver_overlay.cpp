@@ -1,6 +1,7 @@
 #include "client/desktop/app/solver_overlay.hpp"
 
 #include "client/compare/agreement.hpp"
+#include "client/compare/number_text.hpp"
 
 #include <array>
 #include <chrono>

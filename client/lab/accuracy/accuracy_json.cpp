@@ -1,24 +1,15 @@
 #include "client/compare/contenders.hpp"
 #include "client/lab/accuracy/results.hpp"
+#include "client/lab/result_json.hpp"
 #include "shared/physics/trace.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace poolhall::lab {
 
 namespace {
 
+using lab::json_of;
+
 using compare::label;
-using Json = nlohmann::ordered_json;
-
-Json json_of(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-}
-
-Json json_of(const std::optional<Spread>& spread) {
-    if (!spread) return {};
-    return {{"median", spread->median}, {"p90", spread->p90}, {"max", spread->max}};
-}
 
 Json json_of(const ShotCost& cost) {
     return {{"ns", cost.ns},
@@ -98,18 +89,16 @@ Json json_of(const EnsembleResult& result) {
 }  // namespace
 
 void write_json(std::ostream& out, const AccuracyResult& result) {
-    const BuildInfo& build = result.build;
-    const Json json{
-        {"schema", "poolhall.accuracy/1"},
-        {"command", result.command},
-        {"seed", result.seed},
-        {"quick", result.quick},
-        {"complete", result.complete},
-        {"seconds", result.seconds},
-        {"build", {{"compiler", build.compiler}, {"flags", build.flags}, {"cpu", build.processor}}},
-        {"ensembles", json_of(result.ensembles)},
-        {"tunnelling", json_of(result.tunnelling)},
-        {"crowds", json_of(result.crowds)}};
+    const Json json{{"schema", "poolhall.accuracy/1"},
+                    {"command", result.command},
+                    {"seed", result.seed},
+                    {"quick", result.quick},
+                    {"complete", result.complete},
+                    {"seconds", result.seconds},
+                    {"build", json_of(result.build)},
+                    {"ensembles", json_of(result.ensembles)},
+                    {"tunnelling", json_of(result.tunnelling)},
+                    {"crowds", json_of(result.crowds)}};
     out << json.dump(1) << '\n';
 }
 

@@ -1,22 +1,15 @@
 #include "client/lab/accuracy/accuracy_table.hpp"
 
 #include "client/compare/contenders.hpp"
+#include "client/compare/number_text.hpp"
 #include "client/lab/columns.hpp"
-
-#include <array>
-#include <cstdio>
 
 namespace poolhall::lab {
 
 namespace {
 
+using compare::formatted;
 using compare::label;
-
-std::string formatted(const char* format, double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
 
 /// Three significant digits.
 std::string short_text(double value) {

@@ -1,12 +1,11 @@
 #include "client/lab/compare/comparison_text.hpp"
 
 #include "client/compare/agreement.hpp"
+#include "client/compare/number_text.hpp"
 #include "client/lab/columns.hpp"
 #include "client/lab/scene_source.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace poolhall::lab {
 
@@ -14,14 +13,9 @@ namespace {
 
 using compare::Contender;
 using compare::Contest;
+using compare::formatted;
 using compare::text_of_cost;
 using compare::text_of_distance;
-
-std::string formatted(const char* format, double value) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
 
 const Contender& reference_of(const Contest& contest) {
     return contest.contenders[*contest.reference];

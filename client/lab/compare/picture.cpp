@@ -1,6 +1,7 @@
 #include "client/lab/compare/picture.hpp"
 
 #include "client/compare/agreement.hpp"
+#include "client/compare/number_text.hpp"
 #include "client/compare/paths.hpp"
 #include "client/lab/compare/table_drawing.hpp"
 #include "client/lab/scene_source.hpp"

@@ -1,16 +1,11 @@
 #include "client/lab/effects/effects_results.hpp"
-
-#include <nlohmann/json.hpp>
+#include "client/lab/result_json.hpp"
 
 namespace poolhall::lab {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json json_of(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-}
+using lab::json_of;
 
 Json json_of(const Price& price) {
     return {{"ns", price.ns}, {"instructions", json_of(price.instructions)}};
@@ -40,13 +35,12 @@ Json variant_of(const ShotPrices& prices) {
 }
 
 Json json_of(const EffectRow& row) {
-    const Spread& change = row.rest_change;
     return {{"effect", row.effect},
             {"ensemble", row.ensemble},
             {"absent", variant_of(row.absent)},
             {"zero", row.zero ? variant_of(*row.zero) : Json()},
             {"present", variant_of(row.present)},
-            {"rest_change", {{"median", change.median}, {"p90", change.p90}, {"max", change.max}}},
+            {"rest_change", json_of(std::optional(row.rest_change))},
             {"verdict_flips", row.verdict_flips}};
 }
 
@@ -61,16 +55,14 @@ Json json_of(const std::vector<Row>& rows) {
 }  // namespace
 
 void write_json(std::ostream& out, const EffectsResult& result) {
-    const BuildInfo& build = result.build;
-    const Json json{
-        {"schema", "poolhall.effects/1"},
-        {"command", result.command},
-        {"seed", result.seed},
-        {"shots", result.shots},
-        {"complete", result.complete},
-        {"build", {{"compiler", build.compiler}, {"flags", build.flags}, {"cpu", build.processor}}},
-        {"kernels", json_of(result.kernels)},
-        {"effects", json_of(result.effects)}};
+    const Json json{{"schema", "poolhall.effects/1"},
+                    {"command", result.command},
+                    {"seed", result.seed},
+                    {"shots", result.shots},
+                    {"complete", result.complete},
+                    {"build", json_of(result.build)},
+                    {"kernels", json_of(result.kernels)},
+                    {"effects", json_of(result.effects)}};
     out << json.dump(1) << '\n';
 }
 

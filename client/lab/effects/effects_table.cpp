@@ -1,22 +1,14 @@
-#include "client/compare/contenders.hpp"
+#include "client/compare/number_text.hpp"
 #include "client/lab/columns.hpp"
 #include "client/lab/effects/effects_results.hpp"
-
-#include <array>
-#include <cstdio>
 
 namespace poolhall::lab {
 
 namespace {
 
+using compare::formatted;
 using compare::text_of_cost;
 using compare::text_of_distance;
-
-std::string formatted(const char* format, double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
 
 std::string small_cost(double ns) {
     return formatted("%.1f ns", ns);
