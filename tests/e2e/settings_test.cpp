@@ -66,7 +66,8 @@ TEST_F(Settings, MatchOfTheEventSolverIsPlayedToItsEndAndAgain) {
     const std::string id = duel.ann_joined.table.match;
     expect_replay(id);
     const Finished shown = tool("show", id);
-    EXPECT_NE(shown.out.find("event         everything"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("event         slide_roll_spin_end_game"), std::string::npos)
+        << shown.out;
 }
 
 TEST_F(Settings, EverySolverIsShownAtThirtyHertzToTheLastBit) {

@@ -1,5 +1,6 @@
 #include "client/compare/contenders.hpp"
 
+#include "client/compare/number_text.hpp"
 #include "client/lab/scene_makers.hpp"
 #include "shared/physics/simulate.hpp"
 

@@ -89,7 +89,7 @@ TEST(PracticePhysics, AreNamedWhereTheyAreNotTheGamesOwn) {
     chosen.pass(0.1);
     EXPECT_EQ(chosen.controller.view().physics, "event");
     chosen.shoot_to_the_end({1, 0.3});
-    EXPECT_EQ(chosen.controller.view().physics, "event, everything");
+    EXPECT_EQ(chosen.controller.view().physics, "event, slide_roll_spin_end_game");
 }
 
 }  // namespace
