@@ -99,9 +99,9 @@ class WordsTest(unittest.TestCase):
                          "(sliding), for the same shot.", words.effects_in_words(EFFECTS["effects"]))
 
     def test_orders_that_theory_does_not_expect_are_named_with_their_reason(self):
-        self.assertEqual(["One ball, `exact_arc`, rest error: none could be fitted where 2 is expected: "
-                          "closed form in every tick: no error to fall",
-                          "Two balls, `euler`, rest error: 1.66 where 1 is expected: steps of 4 between rates"],
+        self.assertEqual(["Two balls, `euler`, rest error: 1.66 where 1 is expected: steps of 4 between rates",
+                          "No order could be fitted of rest error: closed form in every tick: no error to fall. "
+                          "One ball (`exact_arc`)"],
                          words.orders_missed(ACCURACY))
 
 
