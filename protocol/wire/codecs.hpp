@@ -237,17 +237,17 @@ template <class ElementCodec>
 struct Array {
     ElementCodec codec;
 
-    template <class T, std::size_t N>
-    [[nodiscard]] bool read(const Cursor& cursor, std::array<T, N>& values) const {
-        if (!expect_array(cursor, N, N)) return false;
-        for (std::size_t i = 0; i < N; ++i) {
+    template <class T, std::size_t kSize>
+    [[nodiscard]] bool read(const Cursor& cursor, std::array<T, kSize>& values) const {
+        if (!expect_array(cursor, kSize, kSize)) return false;
+        for (std::size_t i = 0; i < kSize; ++i) {
             if (!codec.read(cursor.element(i), values[i])) return false;
         }
         return true;
     }
 
-    template <class T, std::size_t N>
-    [[nodiscard]] Json write(const std::array<T, N>& values, Encoding encoding) const {
+    template <class T, std::size_t kSize>
+    [[nodiscard]] Json write(const std::array<T, kSize>& values, Encoding encoding) const {
         Json array = Json::array();
         for (const T& value : values)
             array.push_back(codec.write(value, encoding));

@@ -56,7 +56,7 @@ std::string metrics_of(const ShotCosts& costs) {
     std::string text = "# TYPE poolhall_shot_cpu_seconds summary\n";
     for (const ShotCosts::Sum& sum : costs.sums()) {
         const std::string labels =
-            fmt::format("{{solver=\"{}\",kernel=\"{}\"}}", name(sum.solver), sum.kernel);
+            fmt::format(R"({{solver="{}",kernel="{}"}})", name(sum.solver), sum.kernel);
         const std::chrono::duration<double> seconds = sum.cpu;
         text += fmt::format("poolhall_shot_cpu_seconds_sum{} {}\n", labels, seconds.count());
         text += fmt::format("poolhall_shot_cpu_seconds_count{} {}\n", labels, sum.shots);

@@ -145,7 +145,8 @@ SDL_FRect legend_box(const Layout& layout, std::span<const SolverView> solvers, 
     SDL_FRect best{};
     int least = std::numeric_limits<int>::max();
     for (int i = 0; i < 2 * kPlaces; ++i) {
-        const float share = static_cast<float>(i / 2) / (kPlaces - 1);
+        const int place = i / 2;
+        const float share = static_cast<float>(place) / (kPlaces - 1);
         const SDL_FRect box{mix(left, right, share), i % 2 == 0 ? top : bottom, size.x, size.y};
         const int count = hidden(layout, box, solvers);
         if (count >= least) continue;

@@ -36,6 +36,7 @@ double distance_at(const ShotTrace& reference, const ShotTrace& other, std::size
 /// How many samples the shot lasts that is longer than half of the others.
 std::size_t usual_samples(const std::vector<ShotTrace>& traces) {
     std::vector<double> counts;
+    counts.reserve(traces.size());
     for (const ShotTrace& trace : traces)
         counts.push_back(static_cast<double>(trace.sample_count()));
     return static_cast<std::size_t>(spread_of(counts)->median);

@@ -56,6 +56,7 @@ std::string difference_of(const Scene& scene, const Contest& contest, const Cont
 
 void print_events(std::ostream& out, const Scene& scene, const Contest& contest) {
     std::vector<std::vector<std::string>> columns;
+    columns.reserve(contest.contenders.size());
     std::size_t longest = 0;
     for (const Contender& contender : contest.contenders) {
         columns.push_back(event_cells(scene, contest, contender));
@@ -64,6 +65,7 @@ void print_events(std::ostream& out, const Scene& scene, const Contest& contest)
     Columns lines;
     for (std::size_t i = 0; i < longest; ++i) {
         std::vector<std::string> line;
+        line.reserve(columns.size());
         for (const auto& cells : columns)
             line.push_back(i < cells.size() ? cells[i] : "");
         lines.add(std::move(line));

@@ -133,23 +133,23 @@ class SolversAtTheTable : public ::testing::Test {
   protected:
     static void run(TableController& controller, double seconds) {
         for (double passed = 0; passed < seconds; passed += 1.0 / 60) {
-            now_ += 1.0 / 60;
-            controller.update(1.0 / 60, now_, {});
+            clock_s += 1.0 / 60;
+            controller.update(1.0 / 60, clock_s, {});
         }
     }
 
     /// Time of the table stands still meanwhile.
     static void wait(TableController& controller) {
         for (int i = 0; controller.view().solvers.empty() && i < 2000; ++i) {
-            controller.update(0, now_, {});
+            controller.update(0, clock_s, {});
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
     }
 
-    static double now_;
+    static double clock_s;
 };
 
-double SolversAtTheTable::now_ = 10;
+double SolversAtTheTable::clock_s = 10;
 
 TEST_F(SolversAtTheTable, InPracticeTheGamesOwnSolverGoesAsThePlayedBalls) {
     Playback playback{Pacing::kSteady};

@@ -17,20 +17,20 @@ using nlohmann::json;
 class EffectsCommand : public ::testing::Test {
   protected:
     EffectsCommand()
-        : folder_(std::filesystem::path(::testing::TempDir()) /
-                  ("effects_" +
-                   std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-        std::filesystem::remove_all(folder_);
+        : folder(std::filesystem::path(::testing::TempDir()) /
+                 ("effects_" +
+                  std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+        std::filesystem::remove_all(folder);
     }
 
-    ~EffectsCommand() override { std::filesystem::remove_all(folder_); }
+    ~EffectsCommand() override { std::filesystem::remove_all(folder); }
 
     /// Runs it on few shots; the results without their times.
     json run(std::uint64_t seed) {
         EXPECT_EQ(Status::kGood,
-                  measure_effects({seed, true, 2, folder_.string(), false}, out_, error_))
-            << error_.str();
-        json result = json::parse(std::ifstream(folder_ / "effects.json"));
+                  measure_effects({seed, true, 2, folder.string(), false}, out, error))
+            << error.str();
+        json result = json::parse(std::ifstream(folder / "effects.json"));
         return result;
     }
 
@@ -42,9 +42,9 @@ class EffectsCommand : public ::testing::Test {
         return all;
     }
 
-    std::filesystem::path folder_;
-    std::ostringstream out_;
-    std::ostringstream error_;
+    std::filesystem::path folder;
+    std::ostringstream out;
+    std::ostringstream error;
 };
 
 TEST_F(EffectsCommand, WritesARowForEveryKernelAndEffect) {
@@ -57,9 +57,9 @@ TEST_F(EffectsCommand, WritesARowForEveryKernelAndEffect) {
         EXPECT_GT(kernel["per_shot"]["ns"], 0) << kernel;
     for (const json& effect : result["effects"]) {
         EXPECT_GT(effect["present"]["ns_per_event"], 0) << effect;
-        EXPECT_NE(std::string::npos, out_.str().find(effect["effect"].get<std::string>()));
+        EXPECT_NE(std::string::npos, out.str().find(effect["effect"].get<std::string>()));
     }
-    std::ifstream csv(folder_ / "effects.csv");
+    std::ifstream csv(folder / "effects.csv");
     std::size_t lines = 0;
     for (std::string line; std::getline(csv, line); ++lines)
         EXPECT_EQ(13, std::count(line.begin(), line.end(), ',')) << line;
@@ -73,11 +73,11 @@ TEST_F(EffectsCommand, GivesTheSameForTheSameSeedButTimes) {
 }
 
 TEST_F(EffectsCommand, SaysAtOnceThatTheFolderCannotBeMade) {
-    std::ofstream(folder_.string()) << "a file";
+    std::ofstream(folder.string()) << "a file";
     EXPECT_EQ(Status::kBadInput,
-              measure_effects({1, true, 2, (folder_ / "under").string(), false}, out_, error_));
-    EXPECT_NE(std::string::npos, error_.str().find(folder_.string())) << error_.str();
-    EXPECT_EQ("", out_.str());
+              measure_effects({1, true, 2, (folder / "under").string(), false}, out, error));
+    EXPECT_NE(std::string::npos, error.str().find(folder.string())) << error.str();
+    EXPECT_EQ("", out.str());
 }
 
 }  // namespace
