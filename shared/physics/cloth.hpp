@@ -9,6 +9,8 @@
 #include "shared/physics/effects/spin_decay.hpp"
 #include "shared/physics/trace.hpp"
 
+#include <span>
+
 namespace poolhall {
 
 /// What the cloth does to a ball between impacts: slide, roll, spin, rest. `Set` says which effects
@@ -158,6 +160,11 @@ class Cloth {
     void update_spin(MovingBall& ball) const {
         if (ball.motion == Motion::kRolling && couples_spin())
             set_xy(ball.w, Sliding::rolling_spin(ball.v, ball.radius));
+    }
+
+    void update_spins(std::span<MovingBall> balls) const {
+        for (MovingBall& ball : balls)
+            update_spin(ball);
     }
 
   private:

@@ -47,15 +47,6 @@ bool share_a_ball(const Contact& c, const Contact& d) {
            (c.kind == Contact::Kind::kBalls && direction_on(d, c.b) != 0);
 }
 
-/// Whether the contact shares no ball with a ball-ball contact (of which it may be one itself).
-bool stands_alone(const Contact& c, std::span<const Contact> contacts) {
-    return std::none_of(contacts.begin(), contacts.end(), [&](const Contact& d) {
-        const bool between_balls =
-            c.kind == Contact::Kind::kBalls || d.kind == Contact::Kind::kBalls;
-        return &c != &d && between_balls && share_a_ball(c, d);
-    });
-}
-
 /// Cloth friction alone can press two balls together.
 bool presses(const Scene& scene) {
     return Sliding::called_for(scene) || Rolling::called_for(scene);
@@ -102,6 +93,14 @@ Vec2 outward_normal(Rail rail) {
         default:  // jaws have no one normal
             return {};
     }
+}
+
+bool stands_alone(const Contact& contact, std::span<const Contact> contacts) {
+    return std::none_of(contacts.begin(), contacts.end(), [&](const Contact& other) {
+        const bool between_balls =
+            contact.kind == Contact::Kind::kBalls || other.kind == Contact::Kind::kBalls;
+        return &contact != &other && between_balls && share_a_ball(contact, other);
+    });
 }
 
 ContactSolver::ContactSolver() : problem_(kGroupCapacity) {

@@ -29,6 +29,10 @@ struct Contact {
 /// The unit vector from the table into one of the four straight rails.
 [[nodiscard]] Vec2 outward_normal(Rail rail);
 
+/// Whether `contact`, one of `contacts`, shares no ball with a ball-ball contact (of which it may
+/// be one itself).
+[[nodiscard]] bool stands_alone(const Contact& contact, std::span<const Contact> contacts);
+
 /// How often two bodies have met slowly in a row. Bodies that the cloth's friction presses together
 /// meet again after each impact, ever sooner. The first slow impact is left as its model has it,
 /// for nothing may bring the two together again; from the second on they part at a least speed that

@@ -5,7 +5,6 @@
 #include "shared/physics/effects/rails.hpp"
 #include "shared/physics/shot_run.hpp"
 
-#include <algorithm>
 #include <vector>
 
 namespace poolhall {
@@ -43,23 +42,12 @@ void snap_to_rails(const Set& set, ShotRun& run) {
     }
 }
 
-/// Whether another of the contacts shares a ball with this one.
-[[nodiscard]] inline bool is_one_of_several(const Contact& contact,
-                                            const std::vector<Contact>& contacts) {
-    const auto holds = [](const Contact& other, std::size_t ball) {
-        return other.a == ball || other.b == ball;
-    };
-    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& other) {
-        return &other != &contact && (holds(other, contact.a) || holds(other, contact.b));
-    });
-}
-
 /// Notes who has met whom. A ball that has met several at once has no partner: which of them it
 /// were would hang on their order.
 inline void note_partners(const std::vector<Contact>& contacts, std::vector<MovingBall>& balls) {
     for (const Contact& contact : contacts) {
         const bool is_pair =
-            contact.kind == Contact::Kind::kBalls && !is_one_of_several(contact, contacts);
+            contact.kind == Contact::Kind::kBalls && stands_alone(contact, contacts);
         balls[contact.a].partner = is_pair ? contact.b : MovingBall::kNobody;
         balls[contact.b].partner = is_pair ? contact.a : MovingBall::kNobody;
     }

@@ -30,7 +30,7 @@ class OverlapSolver {
         run_ticks(
             run_, [this] { return run_.any_moves(); },
             [this](Real begin, Real end) { return tick(end - begin, end); },
-            [this] { update_spins(); });
+            [this] { cloth_.update_spins(run_.balls()); });
     }
 
   private:
@@ -157,11 +157,6 @@ class OverlapSolver {
                 }
             }
         });
-    }
-
-    void update_spins() {
-        for (MovingBall& ball : run_.balls())
-            cloth_.update_spin(ball);
     }
 
     void kick_all(Real dt, Real end) {

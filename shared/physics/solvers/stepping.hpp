@@ -57,7 +57,8 @@ class SteppingSolver {
         search_.begin_shot();
         run_ticks(
             run_, [this] { return !work_.stepping.moving.empty(); },
-            [this](Real begin, Real end) { return tick(begin, end); }, [this] { update_spins(); });
+            [this](Real begin, Real end) { return tick(begin, end); },
+            [this] { cloth_.update_spins(balls_); });
     }
 
   private:
@@ -135,11 +136,6 @@ class SteppingSolver {
             if constexpr (Set::template kHas<Sliding>) balls[i].partner = MovingBall::kNobody;
         }
         if (changed) search_.note_changes();
-    }
-
-    void update_spins() {
-        for (MovingBall& ball : balls_)
-            cloth_.update_spin(ball);
     }
 
     /// Lets happen what the search found: captures, or else the contacts as one group. What is left
