@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <string_view>
 #include <vector>
 
 namespace poolhall::lab {
@@ -25,7 +26,7 @@ std::vector<AccuracyPoint> points_of(SolverKind solver, double power) {
     return points;
 }
 
-const OrderRow& row_of(const std::vector<OrderRow>& rows, const std::string& quantity) {
+OrderRow row_of(const std::vector<OrderRow>& rows, std::string_view quantity) {
     return *std::find_if(rows.begin(), rows.end(),
                          [&](const OrderRow& row) { return row.quantity == quantity; });
 }
@@ -34,7 +35,7 @@ TEST(Orders, OfASolverThatDoesWhatTheorySays) {
     for (const auto& [solver, power] :
          {std::pair{SolverKind::kEuler, 1.0}, {SolverKind::kExactArc, 2.0}}) {
         const auto rows = fitted_orders(points_of(solver, power));
-        const OrderRow& row = row_of(rows, "rest_error");
+        const OrderRow row = row_of(rows, "rest_error");
         EXPECT_EQ(row.solver, solver);
         EXPECT_NEAR(row.order->order, power, 1e-12);
         EXPECT_EQ(row.expected, power);
