@@ -39,8 +39,8 @@ DEFINITIONS = """\
 - **Order**: p, where the error falls as 1/rate^p: with p = 1, twice the rate halves the error; with p = 2 it quarters it.
   Fitted to the medians at the rates at which the error falls evenly; in brackets the interval that holds it with a
   confidence of 95 %. Expected: by theory.
-- **Pareto front**: the solvers and rates that no other beats in both time and error. Times are good to some 10 %, so
-  neighbours on it may change places.
+- **Pareto front**: the solvers and rates that no other beats in both time and error. The same shots timed twice
+  differ by some 15 %, so neighbours on it may change places.
 - **A tenth of the error**: from its rate with the largest median error to that with the smallest, the error falls E times
   and the time grows C times; a tenth then costs C^(1 / log10 E) times the time."""
 

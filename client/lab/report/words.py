@@ -4,7 +4,7 @@ from findings import ENOUGH_ERROR, ENOUGH_FLIPS, has_verdicts, is_good_enough, m
 from numbers_in_words import listed, metres, percent, plain, time_of_ns, times
 from results import median_of, point_of
 
-# Times are good to some 10 %.
+# The same shots timed twice differ by some 15 %.
 NOTICEABLE = 1.25
 
 
