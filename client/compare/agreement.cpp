@@ -98,6 +98,10 @@ bool is_same_event(const ShotEvent& a, const ShotEvent& b) {
     return std::minmax(a.balls[0], a.balls[1]) == std::minmax(b.balls[0], b.balls[1]);
 }
 
+bool is_impact(const ShotEvent& event) {
+    return event.kind == EventKind::kBallBall || event.kind == EventKind::kBallRail;
+}
+
 Agreement agreement(const ShotTrace& reference, const ShotTrace& other) {
     Agreement result;
     NextEvents next(other);
@@ -162,6 +166,11 @@ std::vector<double> rest_distances(const ShotTrace& a, const ShotTrace& b) {
     for (std::size_t i = 0; i < a.balls.size(); ++i)
         distances.push_back(norm(a.balls[i].state.r - b.balls[i].state.r));
     return distances;
+}
+
+double farthest_at_rest(const ShotTrace& a, const ShotTrace& b) {
+    const std::vector<double> distances = rest_distances(a, b);
+    return *std::max_element(distances.begin(), distances.end());
 }
 
 bool is_same_verdict(const ShotTrace& a, const ShotTrace& b) {

@@ -15,6 +15,9 @@ namespace poolhall::compare {
 /// order), same rail, same pocket.
 [[nodiscard]] bool is_same_event(const ShotEvent& a, const ShotEvent& b);
 
+/// Whether balls met each other or a rail.
+[[nodiscard]] bool is_impact(const ShotEvent& event);
+
 /// How far the events of `other` are those of `reference`.
 struct Agreement {
     /// The common events before the first difference: places in the events of the reference (0, 1,
@@ -47,6 +50,9 @@ struct Agreement {
 
 /// How far apart each ball's last place is in both, m; a pocketed ball is where it was captured.
 [[nodiscard]] std::vector<double> rest_distances(const ShotTrace& a, const ShotTrace& b);
+
+/// The largest of them, m. The traces must have a ball.
+[[nodiscard]] double farthest_at_rest(const ShotTrace& a, const ShotTrace& b);
 
 /// Whether the same balls went down, into the same pockets, and the same left the table.
 [[nodiscard]] bool is_same_verdict(const ShotTrace& a, const ShotTrace& b);

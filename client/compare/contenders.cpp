@@ -1,6 +1,5 @@
 #include "client/compare/contenders.hpp"
 
-#include "client/compare/agreement.hpp"
 #include "client/compare/cpu_time.hpp"
 #include "client/compare/number_text.hpp"
 #include "shared/physics/simulate.hpp"
@@ -71,9 +70,10 @@ Contest contest(Scene scene, std::span<const SolverSpec> solvers, const ContestR
     }
     contest.reference = most_accurate(contest.contenders);
     for (Contender& contender : contest.contenders) {
-        if (!contender.refusal)
-            contender.rest_distance =
-                rest_distances(contender.trace, contest.contenders[*contest.reference].trace);
+        if (contender.refusal) continue;
+        const ShotTrace& reference = contest.contenders[*contest.reference].trace;
+        contender.rest_distance = rest_distances(contender.trace, reference);
+        contender.agreement = agreement(reference, contender.trace);
     }
     return contest;
 }

@@ -1,5 +1,7 @@
 #include "client/compare/paths.hpp"
 
+#include "client/compare/agreement.hpp"
+
 #include <algorithm>
 
 namespace poolhall::compare {
@@ -41,10 +43,6 @@ void add_samples(std::vector<Path>& paths, const ShotTrace& trace, double until,
         for (std::size_t i = 0; i < paths.size(); ++i)
             paths[i].push_back({t, xy(trace.sample(sample, i))});
     }
-}
-
-bool is_impact(const ShotEvent& event) {
-    return event.kind == EventKind::kBallBall || event.kind == EventKind::kBallRail;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "client/desktop/app/overlays.hpp"
 
+#include "client/compare/agreement.hpp"
+
 #include <algorithm>
 
 namespace poolhall::client {
@@ -22,8 +24,7 @@ void StepTrail::step(std::span<const Vec2> before, std::span<const Vec2> after) 
 void CollisionMarks::pass(const Playback::Passed& passed) {
     if (std::holds_alternative<Playback::ShotBegan>(passed)) marks_.clear();
     const auto* event = std::get_if<ShotEvent>(&passed);
-    if (event == nullptr) return;
-    if (event->kind != EventKind::kBallBall && event->kind != EventKind::kBallRail) return;
+    if (event == nullptr || !compare::is_impact(*event)) return;
     for (std::size_t i = 0; i < event->ball_count; ++i)
         marks_.push_back({xy(event->after[i].r)});
 }

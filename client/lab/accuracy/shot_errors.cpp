@@ -43,10 +43,7 @@ double energy_drift(const Scene& scene, const ShotTrace& reference, const ShotTr
 }
 
 const ShotEvent* first_impact(const ShotTrace& trace) {
-    const auto found =
-        std::find_if(trace.events.begin(), trace.events.end(), [](const ShotEvent& event) {
-            return event.kind == EventKind::kBallBall || event.kind == EventKind::kBallRail;
-        });
+    const auto found = std::find_if(trace.events.begin(), trace.events.end(), compare::is_impact);
     return found == trace.events.end() ? nullptr : &*found;
 }
 
@@ -69,10 +66,9 @@ std::optional<ImpactErrors> impact_errors(const ShotTrace& reference, const Shot
 
 ShotErrors errors_of(const Scene& scene, const ShotTrace& reference, const ShotTrace& other) {
     const compare::Agreement both = compare::agreement(reference, other);
-    const auto distances = compare::rest_distances(reference, other);
     const auto [missed, invented] = compare::compare_collisions(reference, other);
     ShotErrors errors;
-    errors.rest = *std::max_element(distances.begin(), distances.end());
+    errors.rest = compare::farthest_at_rest(reference, other);
     errors.impact = impact_errors(reference, other);
     errors.energy_drift = energy_drift(scene, reference, other, both);
     errors.matching_events = static_cast<double>(both.matching.size());

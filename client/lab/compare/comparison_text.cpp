@@ -21,23 +21,16 @@ const Contender& reference_of(const Contest& contest) {
     return contest.contenders[*contest.reference];
 }
 
-/// Place of the event at which the solver's story parts from the reference's, if it does.
-std::optional<std::size_t> first_own_event(const Contest& contest, const Contender& contender) {
-    return compare::agreement(reference_of(contest).trace, contender.trace).instead;
-}
-
-std::vector<std::string> event_cells(const Scene& scene, const Contest& contest,
-                                     const Contender& contender) {
+std::vector<std::string> event_cells(const Scene& scene, const Contender& contender) {
     std::vector<std::string> cells{"  " + compare::label(contender.solver)};
     if (contender.refusal) {
         cells.push_back("  refused: " + text_of(*contender.refusal));
         return cells;
     }
-    const auto own = first_own_event(contest, contender);
     for (std::size_t i = 0; i < contender.trace.events.size(); ++i) {
         const ShotEvent& event = contender.trace.events[i];
-        cells.push_back((own == i ? "* " : "  ") + formatted("%.9f  ", event.t) +
-                        compare::in_words(scene, event));
+        cells.push_back((contender.agreement.instead == i ? "* " : "  ") +
+                        formatted("%.9f  ", event.t) + compare::in_words(scene, event));
     }
     return cells;
 }
@@ -46,9 +39,9 @@ std::string difference_of(const Scene& scene, const Contest& contest, const Cont
     if (contender.refusal) return "refused: " + text_of(*contender.refusal);
     const Contender& reference = reference_of(contest);
     if (&contender == &reference) return "the reference: the others are compared with it";
-    const auto agreement = compare::agreement(reference.trace, contender.trace);
-    const std::string difference = compare::first_difference(
-        scene, agreement, reference.trace, contender.trace, compare::label(contender.solver));
+    const std::string difference =
+        compare::first_difference(scene, contender.agreement, reference.trace, contender.trace,
+                                  compare::label(contender.solver));
     return difference.empty() ? "the same events" : difference;
 }
 
@@ -59,7 +52,7 @@ void print_events(std::ostream& out, const Scene& scene, const Contest& contest)
     columns.reserve(contest.contenders.size());
     std::size_t longest = 0;
     for (const Contender& contender : contest.contenders) {
-        columns.push_back(event_cells(scene, contest, contender));
+        columns.push_back(event_cells(scene, contender));
         longest = std::max(longest, columns.back().size());
     }
     Columns lines;

@@ -224,14 +224,13 @@ std::array<std::string, 4> Page::legend_of(const Contender& contender) const {
     const std::string cost = text_of_cost(contender.cpu_ns);
     if (&contender == &reference) return {label, cost, "the reference", ""};
     const auto farthest = compare::farthest_ball(contender);
-    const auto agreement = compare::agreement(reference.trace, contender.trace);
-    const std::string matching = std::to_string(agreement.matching.size()) + " of " +
+    const std::string matching = std::to_string(contender.agreement.matching.size()) + " of " +
                                  std::to_string(reference.trace.events.size());
     const bool same_verdict = compare::is_same_verdict(reference.trace, contender.trace);
     return {
         label, cost,
         text_of_distance(farthest->distance) + " (" + scene_.balls[farthest->ball.value].id + ")",
-        (agreement.complete() ? "all" : "the first " + matching) +
+        (contender.agreement.complete() ? "all" : "the first " + matching) +
             (same_verdict ? "" : "; other balls down")};
 }
 
