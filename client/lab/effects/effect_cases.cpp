@@ -42,36 +42,15 @@ void rail_restitution_of_one(Scene& scene) {
     scene.effects.rail.e = 1;
 }
 
-void without_drag(Scene& scene) {
-    scene.effects.linear_drag.reset();
+template <auto kEffect>
+void without(Scene& scene) {
+    (scene.effects.*kEffect).reset();
 }
 
-void drag_of_zero(Scene& scene) {
-    scene.effects.linear_drag->k = 0;
-}
-
-void without_sliding(Scene& scene) {
-    scene.effects.sliding.reset();
-}
-
-void sliding_of_zero(Scene& scene) {
-    scene.effects.sliding->mu = 0;
-}
-
-void without_rolling(Scene& scene) {
-    scene.effects.rolling.reset();
-}
-
-void rolling_of_zero(Scene& scene) {
-    scene.effects.rolling->mu = 0;
-}
-
-void without_spin_decay(Scene& scene) {
-    scene.effects.spin_decay.reset();
-}
-
-void spin_decay_of_zero(Scene& scene) {
-    scene.effects.spin_decay->mu = 0;
+/// Of the effect's coefficient.
+template <auto kEffect, auto kCoefficient>
+void with_zero(Scene& scene) {
+    (*(scene.effects.*kEffect)).*kCoefficient = 0;
 }
 
 /// A cue that falls 0.2 m a metre: swerve.
@@ -89,10 +68,6 @@ void jump(Scene& scene) {
     scene.effects.airborne = AirborneSpec{};
 }
 
-void on_the_cloth(Scene& scene) {
-    scene.effects.airborne.reset();
-}
-
 constexpr auto kElasticBalls = balls_after<BallBallModel::kElastic>;
 constexpr auto kBallRestitution = balls_after<BallBallModel::kRestitution>;
 constexpr auto kElasticRails = rails_after<RailModel::kElastic>;
@@ -100,10 +75,14 @@ constexpr auto kRailRestitution = rails_after<RailModel::kRestitution>;
 
 // What e a model has stays when another takes its place, so that just one thing differs.
 constexpr std::array kEffectCases{
-    EffectCase{"linear_drag", "end_game", as_it_is, without_drag, drag_of_zero},
-    EffectCase{"sliding", "two_balls", as_it_is, without_sliding, sliding_of_zero},
-    EffectCase{"rolling", "two_balls", as_it_is, without_rolling, rolling_of_zero},
-    EffectCase{"spin_decay", "throw_and_spin", as_it_is, without_spin_decay, spin_decay_of_zero},
+    EffectCase{"linear_drag", "end_game", as_it_is, without<&Effects::linear_drag>,
+               with_zero<&Effects::linear_drag, &LinearDragSpec::k>},
+    EffectCase{"sliding", "two_balls", as_it_is, without<&Effects::sliding>,
+               with_zero<&Effects::sliding, &SlidingSpec::mu>},
+    EffectCase{"rolling", "two_balls", as_it_is, without<&Effects::rolling>,
+               with_zero<&Effects::rolling, &RollingSpec::mu>},
+    EffectCase{"spin_decay", "throw_and_spin", as_it_is, without<&Effects::spin_decay>,
+               with_zero<&Effects::spin_decay, &SpinDecaySpec::mu>},
     EffectCase{"ball_ball restitution", "two_balls", kBallRestitution, kElasticBalls,
                ball_restitution_of_one},
     EffectCase{"ball_ball friction", "throw_and_spin", as_it_is, kBallRestitution,
@@ -119,7 +98,7 @@ constexpr std::array kEffectCases{
     EffectCase{"pockets circles", "two_balls", as_it_is, without_pockets, nullptr},
     EffectCase{"pockets pool", "nine_ball_break", as_it_is, without_pockets, nullptr},
     EffectCase{"elevation", "throw_and_spin", raised_cue, level_cue, nullptr},
-    EffectCase{"airborne", "throw_and_spin", jump, on_the_cloth, nullptr},
+    EffectCase{"airborne", "throw_and_spin", jump, without<&Effects::airborne>, nullptr},
 };
 
 // --- kernels ---------------------------------------------------------------------------------
@@ -162,7 +141,7 @@ constexpr std::array kKernelCases{
     KernelCase{"drag_rails", "end_game", without_pockets},
     KernelCase{"drag_rails_pockets", "end_game", as_it_is},
     KernelCase{"roll", "two_balls", rolling_only},
-    KernelCase{"slide_roll", "two_balls", without_spin_decay},
+    KernelCase{"slide_roll", "two_balls", without<&Effects::spin_decay>},
     KernelCase{"slide_roll_spin", "two_balls", as_it_is},
     KernelCase{"slide_roll_spin_end_game", "two_balls", into_end_game_pockets},
     KernelCase{"slide_roll_spin_mouths", "two_balls", into_mouths},
