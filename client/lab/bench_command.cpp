@@ -1,12 +1,14 @@
 #include "client/lab/bench_command.hpp"
 
 #include "client/compare/number_text.hpp"
+#include "client/files/output_file.hpp"
 #include "client/lab/bench_rows.hpp"
 #include "client/lab/build_info.hpp"
 #include "client/lab/corpora.hpp"
+#include "client/lab/long_run.hpp"
 #include "shared/physics/trace.hpp"
 
-#include <fstream>
+#include <optional>
 
 namespace poolhall::lab {
 
@@ -67,17 +69,12 @@ void write_csv(std::ostream& out, const BuildInfo& info, const std::vector<Bench
 }  // namespace
 
 Status bench(const std::string& csv_file, std::ostream& out, std::ostream& error) {
-    std::ofstream csv;
-    if (!csv_file.empty()) {
-        csv.open(csv_file);
-        if (!csv) {
-            error << "poolhall-lab: " << csv_file << " cannot be written\n";
-            return Status::kBadInput;
-        }
-    }
+    std::optional<files::OutputFile> csv;
+    if (!csv_file.empty()) csv.emplace(csv_file);
+    if (csv && csv->fault()) return fail(error, *csv->fault());
     const BuildInfo info = build_info();
-    out << "compiler   " << info.compiler << "\nflags      " << info.flags << "\nprocessor  "
-        << info.processor << "\n\n"
+    print_head(out, "poolhall-lab bench", info);
+    out << '\n'
         << padded("name", 34) << padded("value", 12) << padded("unit", 14)
         << padded("instructions", 12) << " checked\n";
     std::vector<BenchRow> rows;
@@ -89,12 +86,10 @@ Status bench(const std::string& csv_file, std::ostream& out, std::ostream& error
             rows.push_back(std::move(row));
         }
     }
-    if (!csv_file.empty()) {
-        write_csv(csv, info, rows);
-        if (!csv.flush()) {
-            error << "poolhall-lab: " << csv_file << " cannot be written\n";
-            return Status::kBadInput;
-        }
+    if (csv) {
+        write_csv(csv->stream(), info, rows);
+        csv->finish();
+        if (csv->fault()) return fail(error, *csv->fault());
     }
     return wrong ? Status::kWrong : Status::kGood;
 }

@@ -7,11 +7,6 @@ void print_head(std::ostream& out, const std::string& command, const BuildInfo& 
         << "\nprocessor  " << build.processor << std::endl;
 }
 
-Status fail(std::ostream& error, const std::string& fault) {
-    error << "poolhall-lab: " << fault << '\n';
-    return Status::kBadInput;
-}
-
 Status say_interrupted(std::ostream& error, const std::string& folder) {
     error << "poolhall-lab: interrupted; what was finished is "
           << (folder.empty() ? "above" : "in " + folder) << '\n';

@@ -12,9 +12,6 @@ namespace poolhall::lab {
 /// The command and what it was measured with.
 void print_head(std::ostream& out, const std::string& command, const BuildInfo& build);
 
-/// `fault` is a sentence without a full stop.
-[[nodiscard]] Status fail(std::ostream& error, const std::string& fault);
-
 /// `folder` has the results; empty: they were only printed.
 [[nodiscard]] Status say_interrupted(std::ostream& error, const std::string& folder);
 

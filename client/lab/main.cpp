@@ -87,17 +87,21 @@ void add_simulate(CLI::App& app, Options& options) {
     command->add_option("FILE", options.file, "- for standard input")->capture_default_str();
 }
 
+void add_plan(CLI::App* command, RunPlan& plan) {
+    command->add_option("--shots", plan.shots, "Of each part; else as many as suit it")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->type_name("N");
+    command->add_option("--seed", plan.seed, "Other shots of the same kinds")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("N")
+        ->capture_default_str();
+}
+
 void add_accuracy(CLI::App& app, AccuracyOptions& options) {
     CLI::App* command = app.add_subcommand(
         "accuracy", "What accuracy costs in time: errors and CPU time of every solver and rate");
     command->add_flag("--quick", options.plan.quick, "Fewer shots and rates: under a minute");
-    command->add_option("--shots", options.plan.shots, "Of each ensemble; else what suits it")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
-        ->type_name("N");
-    command->add_option("--seed", options.plan.seed, "Other shots of the same kinds")
-        ->check(CLI::NonNegativeNumber)
-        ->type_name("N")
-        ->capture_default_str();
+    add_plan(command, options.plan);
     command->add_option("--out", options.out, "Also writes DIR/accuracy.csv and DIR/accuracy.json")
         ->type_name("DIR");
     command->add_option("--only", options.only, "Only this part; any number of them")
@@ -111,14 +115,8 @@ void add_accuracy(CLI::App& app, AccuracyOptions& options) {
 void add_effects(CLI::App& app, EffectsOptions& options) {
     CLI::App* command = app.add_subcommand(
         "effects", "What every kernel and every effect costs, and how far each moves the balls");
-    command->add_flag("--quick", options.quick, "Fewer shots: some seconds");
-    command->add_option("--shots", options.shots, "Of each kernel and effect; else 200")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
-        ->type_name("N");
-    command->add_option("--seed", options.seed, "Other shots of the same kinds")
-        ->check(CLI::NonNegativeNumber)
-        ->type_name("N")
-        ->capture_default_str();
+    command->add_flag("--quick", options.plan.quick, "20 shots, not 200: some seconds");
+    add_plan(command, options.plan);
     command->add_option("--out", options.out, "Also writes DIR/effects.csv and DIR/effects.json")
         ->type_name("DIR");
     options.bar = isatty(STDERR_FILENO) == 1;

@@ -69,11 +69,6 @@ std::optional<SceneError> run_safely(SceneRunner& runner, Json tree) {
     }
 }
 
-Status fail(std::ostream& error, const std::string& reason) {
-    error << "poolhall-lab: " << reason << '\n';
-    return Status::kBadInput;
-}
-
 }  // namespace
 
 Status simulate_all(const SimulateOptions& options, std::istream& in, std::ostream& out,

@@ -1,5 +1,6 @@
 #include "client/replay/commands.hpp"
 
+#include "client/files/output_file.hpp"
 #include "client/replay/report.hpp"
 #include "client/replay/verifier.hpp"
 #include "protocol/replay/archive.hpp"
@@ -11,7 +12,6 @@
 #include <limits>
 #include <memory>
 #include <sstream>
-#include <system_error>
 
 namespace poolhall::client {
 
@@ -113,28 +113,11 @@ Status verify(const ReplayTool& tool, std::istream& input, const ReplayChoice& c
     return worse(verified, finish(tool, reader, choice));
 }
 
-std::string reason_of_last_error() {
-    return std::generic_category().message(errno);
-}
-
-/// Writes beside the file and then renames, so that a failure leaves what was there before.
 Status write_file(const ReplayTool& tool, const std::string& file, const std::string& text) {
-    const std::string unfinished = file + ".part";
-    std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
-    out << text << std::flush;
-    if (!out) {
-        const std::string reason = reason_of_last_error();
-        std::error_code ignored;
-        std::filesystem::remove(unfinished, ignored);
-        return fail(tool, file + " cannot be written: " + reason);
-    }
-    out.close();
-    std::error_code error;
-    std::filesystem::rename(unfinished, file, error);
-    if (!error) return Status::kGood;
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    return fail(tool, file + " cannot be written: " + error.message());
+    files::OutputFile output(file);
+    output.stream() << text;
+    output.finish();
+    return output.fault() ? fail(tool, *output.fault()) : Status::kGood;
 }
 
 }  // namespace

@@ -18,13 +18,10 @@ constexpr const char* kCrowds = "crowds";
 
 /// The command line that gives the same again.
 std::string command_of(const AccuracyOptions& options) {
-    std::string text = "poolhall-lab accuracy";
-    if (options.plan.quick) text += " --quick";
-    if (options.plan.shots > 0) text += " --shots " + std::to_string(options.plan.shots);
-    text += " --seed " + std::to_string(options.plan.seed);
+    std::string line = command_line("accuracy", options.plan);
     for (const std::string& part : options.only)
-        text += " --only " + part;
-    return text;
+        line += " --only " + part;
+    return line;
 }
 
 /// Runs part after part until all are done or it is interrupted.

@@ -1,6 +1,7 @@
 #include "client/lab/compare/compare_command.hpp"
 
 #include "client/compare/contenders.hpp"
+#include "client/files/output_file.hpp"
 #include "client/lab/compare/comparison_text.hpp"
 #include "client/lab/compare/picture.hpp"
 #include "client/lab/scene_source.hpp"
@@ -8,8 +9,8 @@
 #include "protocol/wire/scene_fields.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <system_error>
 
@@ -31,9 +32,8 @@ std::vector<SolverSpec> solvers_of(const CompareOptions& options) {
 
 /// A picture that will be written, its file open already.
 struct Target {
-    fs::path path;
     PictureFormat format;
-    std::ofstream file;
+    std::unique_ptr<files::OutputFile> file;
 };
 
 Result<std::vector<Target>, std::string> open_targets(const CompareOptions& options) {
@@ -54,8 +54,8 @@ Result<std::vector<Target>, std::string> open_targets(const CompareOptions& opti
     }
     std::vector<Target> targets;
     for (const auto& [path, format] : wanted) {
-        targets.push_back({path, format, std::ofstream(path, std::ios::binary)});
-        if (!targets.back().file) return path.string() + " cannot be written";
+        targets.push_back({format, std::make_unique<files::OutputFile>(path)});
+        if (const auto& fault = targets.back().file->fault()) return *fault;
     }
     return targets;
 }
@@ -104,11 +104,6 @@ void print(std::ostream& out, const Scene& scene, const Contest& contest) {
     print_costs(out << '\n', contest);
 }
 
-Status fail(std::ostream& error, const std::string& reason) {
-    error << "poolhall-lab: " << reason << '\n';
-    return Status::kBadInput;
-}
-
 Status compare_scene(const Scene& scene, const std::vector<SolverSpec>& solvers,
                      std::vector<Target>& targets, std::ostream& out, std::ostream& error) {
     const Contest contest = compare::contest(scene, solvers);
@@ -116,10 +111,12 @@ Status compare_scene(const Scene& scene, const std::vector<SolverSpec>& solvers,
     if (!targets.empty()) out << '\n';
     for (Target& target : targets) {
         const auto picture = picture_of(scene, contest, target.format);
-        if (!picture) return fail(error, target.path.string() + ": " + picture.error().reason);
-        if (!(target.file << *picture << std::flush))
-            return fail(error, target.path.string() + " cannot be written");
-        out << "Drawn: " << target.path.string() << '\n';
+        const std::string path = target.file->path().string();
+        if (!picture) return fail(error, path + ": " + picture.error().reason);
+        target.file->stream() << *picture;
+        target.file->finish();
+        if (const auto& fault = target.file->fault()) return fail(error, *fault);
+        out << "Drawn: " << path << '\n';
     }
     return Status::kGood;
 }

@@ -19,14 +19,6 @@ namespace {
 constexpr std::size_t kShots = 200;
 constexpr std::size_t kQuickShots = 20;
 
-/// The command line that gives the same again.
-std::string command_of(const EffectsOptions& options) {
-    std::string text = "poolhall-lab effects";
-    if (options.quick) text += " --quick";
-    if (options.shots > 0) text += " --shots " + std::to_string(options.shots);
-    return text + " --seed " + std::to_string(options.seed);
-}
-
 /// The same shots without the effect, or with it at zero strength. Without friction they might have
 /// no end, so they are cut off when those with it are at rest.
 std::vector<Scene> weaker(std::vector<Scene> shots, ChangeScene change,
@@ -51,18 +43,13 @@ bool are_same(const std::vector<ShotTrace>& a, const std::vector<ShotTrace>& b) 
                       [](const ShotTrace& x, const ShotTrace& y) { return x.hash == y.hash; });
 }
 
-double farthest(const ShotTrace& a, const ShotTrace& b) {
-    const std::vector<double> distances = compare::rest_distances(a, b);
-    return *std::max_element(distances.begin(), distances.end());
-}
-
 /// What the effect does to the outcome.
 void compare_outcomes(const std::vector<ShotTrace>& present, const std::vector<ShotTrace>& absent,
                       EffectRow& row) {
     std::vector<double> changes;
     std::size_t flips = 0;
     for (std::size_t i = 0; i < present.size(); ++i) {
-        changes.push_back(farthest(present[i], absent[i]));
+        changes.push_back(compare::farthest_at_rest(present[i], absent[i]));
         if (!compare::is_same_verdict(present[i], absent[i])) ++flips;
     }
     row.verdict_flips = static_cast<double>(flips) / static_cast<double>(present.size());
@@ -72,12 +59,12 @@ void compare_outcomes(const std::vector<ShotTrace>& present, const std::vector<S
 class EffectsRun {
   public:
     EffectsRun(const EffectsOptions& options, std::ostream& out, std::ostream& error)
-        : options_(options), out_(out), progress_(error, options.bar) {}
+        : plan_(options.plan), out_(out), progress_(error, options.bar) {}
 
     EffectsResult run() {
-        result_.command = command_of(options_);
-        result_.seed = options_.seed;
-        result_.shots = options_.shots > 0 ? options_.shots : options_.quick ? kQuickShots : kShots;
+        result_.command = command_line("effects", plan_);
+        result_.seed = plan_.seed;
+        result_.shots = plan_.shots > 0 ? plan_.shots : plan_.quick ? kQuickShots : kShots;
         result_.build = build_info();
         print_head(out_, result_.command, result_.build);
         result_.complete = run_kernels() && run_effects();
@@ -91,7 +78,7 @@ class EffectsRun {
 
   private:
     [[nodiscard]] std::vector<Scene> scenes(std::string_view ensemble, ChangeScene change) const {
-        return changed_scenes(ensemble, options_.seed, result_.shots, change);
+        return changed_scenes(ensemble, plan_.seed, result_.shots, change);
     }
 
     /// False if it was interrupted.
@@ -101,8 +88,8 @@ class EffectsRun {
             if (Interruption::asked_for()) return false;
             const std::vector<Scene> shots = scenes(one.ensemble, one.change);
             result_.kernels.push_back({std::string(one.kernel), std::string(one.ensemble),
-                                       prices_of(shots, options_.repeats()),
-                                       price_by("everything", shots, options_.repeats())});
+                                       prices_of(shots, plan_.repeats()),
+                                       price_by("everything", shots, plan_.repeats())});
             progress_.step();
         }
         progress_.clear();
@@ -129,21 +116,21 @@ class EffectsRun {
         const std::vector<Scene> absent = weaker(present, one.absent, traces);
         const std::vector<ShotTrace> without = traces_of(absent);
         compare_outcomes(traces, without, row);
-        row.present = prices_of(present, options_.repeats());
-        row.absent = prices_of(absent, options_.repeats());
+        row.present = prices_of(present, plan_.repeats());
+        row.absent = prices_of(absent, plan_.repeats());
         if (one.zero) {
             const std::vector<Scene> zero = weaker(present, one.zero, traces);
             if (!are_same(without, traces_of(zero))) {
                 wrong_ = row.effect;
                 return false;
             }
-            row.zero = prices_of(zero, options_.repeats());
+            row.zero = prices_of(zero, plan_.repeats());
         }
         result_.effects.push_back(std::move(row));
         return true;
     }
 
-    const EffectsOptions& options_;
+    const RunPlan& plan_;
     std::ostream& out_;
     Progress progress_;
     EffectsResult result_;

@@ -1,23 +1,17 @@
 #pragma once
 
-#include "client/lab/bench_clock.hpp"
+#include "client/lab/run_plan.hpp"
 #include "client/lab/status.hpp"
 
-#include <cstddef>
-#include <cstdint>
 #include <ostream>
 #include <string>
 
 namespace poolhall::lab {
 
 struct EffectsOptions {
-    std::uint64_t seed = 1;
-    bool quick = false;
-    std::size_t shots = 0;  ///< of each kernel and effect; 0: 200, or 20 if quick
-    std::string out;        ///< folder; empty: only the tables are printed
-    bool bar = false;       ///< show how far it is, on `error`
-
-    [[nodiscard]] Repeats repeats() const { return quick ? Repeats{3, 2e6} : Repeats{7, 2e7}; }
+    RunPlan plan;      ///< 200 shots of each kernel and effect, or 20 if quick
+    std::string out;   ///< folder; empty: only the tables are printed
+    bool bar = false;  ///< show how far it is, on `error`
 };
 
 /// Measures what every kernel and every effect costs, and how far each effect moves the outcome;

@@ -86,7 +86,7 @@ class Compare(unittest.TestCase):
     def test_files_that_cannot_be_read_or_written_are_refused(self):
         self.assert_refused(run(self.folder / "none.json"), f"{self.folder}/none.json cannot be opened")
         draw = SCENES / "draw.json"
-        self.assert_refused(run(draw, "--picture", "/nowhere/a.png"), "/nowhere/a.png cannot be written")
+        self.assert_refused(run(draw, "--picture", "/nowhere/a.png"), "/nowhere/a.png cannot be written: No such file or directory")
         self.assert_refused(run(draw, "--picture", "a.jpg"), "a.jpg must end in .svg or .png")
         file = self.folder / "file"
         file.write_text("")

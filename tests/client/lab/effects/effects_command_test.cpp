@@ -28,7 +28,7 @@ class EffectsCommand : public ::testing::Test {
     /// Runs it on few shots; the results without their times.
     json run(std::uint64_t seed) {
         EXPECT_EQ(Status::kGood,
-                  measure_effects({seed, true, 2, folder.string(), false}, out, error))
+                  measure_effects({{seed, true, 2}, folder.string(), false}, out, error))
             << error.str();
         json result = json::parse(std::ifstream(folder / "effects.json"));
         return result;
@@ -75,7 +75,7 @@ TEST_F(EffectsCommand, GivesTheSameForTheSameSeedButTimes) {
 TEST_F(EffectsCommand, SaysAtOnceThatTheFolderCannotBeMade) {
     std::ofstream(folder.string()) << "a file";
     EXPECT_EQ(Status::kBadInput,
-              measure_effects({1, true, 2, (folder / "under").string(), false}, out, error));
+              measure_effects({{1, true, 2}, (folder / "under").string(), false}, out, error));
     EXPECT_NE(std::string::npos, error.str().find(folder.string())) << error.str();
     EXPECT_EQ("", out.str());
 }
