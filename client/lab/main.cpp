@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -36,6 +37,14 @@ std::string fault_of_rate(const std::string& text) {
     const auto [stop, error] = std::from_chars(text.data(), end, hz);
     const bool good = error == std::errc{} && stop == end && hz > 0 && hz <= poolhall::kMaxSolverHz;
     return good ? "" : "must be a number above 0, up to 1e6";
+}
+
+/// Empty for a seed. CLI11's own range takes -1 for the largest.
+std::string fault_of_seed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, seed);
+    return error == std::errc{} && stop == end ? "" : "must be a whole number from 0, below 2^64";
 }
 
 /// A solver as CLI11 reads it.
@@ -92,7 +101,7 @@ void add_plan(CLI::App* command, RunPlan& plan) {
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->type_name("N");
     command->add_option("--seed", plan.seed, "Other shots of the same kinds")
-        ->check(CLI::NonNegativeNumber)
+        ->check(fault_of_seed)
         ->type_name("N")
         ->capture_default_str();
 }

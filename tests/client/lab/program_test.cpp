@@ -176,8 +176,8 @@ TEST_F(LabProgram, RefusesBadOptions) {
     for (const char* arguments :
          {"", "simulate --solver rk4", "simulate --sample nan", "simulate --sample -1",
           "simulate a b", "fly", "bench --csv /nowhere/x.csv", "accuracy --shots 0",
-          "accuracy --shots many", "accuracy --seed -1", "accuracy --only three_balls",
-          "accuracy --out /proc/nowhere", "accuracy 7"})
+          "accuracy --shots many", "accuracy --seed -1", "accuracy --seed 1e30",
+          "accuracy --only three_balls", "accuracy --out /proc/nowhere", "accuracy 7"})
         EXPECT_EQ(run(arguments).status, 2) << arguments;
     EXPECT_EQ(run("--help").status, 0);
 }
