@@ -5,6 +5,7 @@
 #include "client/lab/scene_makers.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/math/state_hash.hpp"
+#include "shared/physics/effects/pocket_circles.hpp"
 #include "shared/table/pool_table.hpp"
 
 #include <algorithm>
@@ -35,6 +36,19 @@ Scene on_cloth(Random& random, std::size_t balls, double slowest, double fastest
     return scene;
 }
 
+/// Two balls on the cloth of a table with circles, neither in one of them.
+Scene between_circles(Random& random) {
+    while (true) {
+        Scene scene = on_cloth(random, 2, 1, 5);
+        scene.table = table_with_circles();
+        const PocketCircles pockets(scene);
+        if (std::none_of(scene.balls.begin(), scene.balls.end(), [&](const SceneBall& ball) {
+                return pockets.at(xy(ball.state.r)).has_value();
+            }))
+            return scene;
+    }
+}
+
 /// The tip anywhere within half a radius of the middle.
 Scene one_ball(Random& random) {
     Scene scene = on_cloth(random, 1, 0.5, 4);
@@ -44,18 +58,16 @@ Scene one_ball(Random& random) {
 
 /// Full to thin, centre hits.
 Scene two_balls(Random& random) {
-    Scene scene = on_cloth(random, 2, 1, 5);
+    Scene scene = between_circles(random);
     aim_at_object(scene, random.uniform(-0.95, 0.95));
-    scene.table = table_with_circles();
     return scene;
 }
 
 /// Cuts of 75 to 88 degrees.
 Scene thin_cut(Random& random) {
-    Scene scene = on_cloth(random, 2, 1, 5);
+    Scene scene = between_circles(random);
     const double side = random.below(2) == 0 ? -1 : 1;
     aim_at_object(scene, side * random.uniform(0.966, 0.9994));
-    scene.table = table_with_circles();
     return scene;
 }
 

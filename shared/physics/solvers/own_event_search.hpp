@@ -2,6 +2,7 @@
 
 #include "shared/physics/box.hpp"
 #include "shared/physics/contact_time.hpp"
+#include "shared/physics/effects/circle_captures.hpp"
 #include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/effects/end_game_pockets.hpp"
 #include "shared/physics/effects/pocket_circles.hpp"
@@ -115,15 +116,14 @@ class OwnEventSearch {
             const auto& pockets = set_.template effect<PocketCircles>();
             for (std::size_t i = 0; pockets.may_reach(reach_) && i < pockets.circles().size();
                  ++i) {
-                const PocketCircle& circle = pockets.circles()[i];
-                take({time_to_come_within(circle.centre, circle.radius), static_cast<Pocket>(i)});
+                take({time_into(pockets.circles()[i]), static_cast<Pocket>(i)});
             }
         }
         if constexpr (Set::template kHas<PoolMouths>) {
             const auto& mouths = set_.template effect<PoolMouths>();
             if (mouths.may_reach(reach_)) {
                 for (const Hole& hole : mouths.table().holes())
-                    take({time_to_come_within(hole.centre, hole.radius), hole.pocket});
+                    take({time_into(hole), hole.pocket});
             }
         }
     }
@@ -136,7 +136,16 @@ class OwnEventSearch {
         if (is_first(capture.t, OwnEvent::Kind::kCapture)) event_.pocket = capture.pocket;
     }
 
-    /// When the ball's centre comes within `distance` of a place, s; 0 where it is there already.
+    /// When the ball's centre is in the circle of a pocket, s; 0 where it is from the beginning,
+    /// whichever way it goes: it was put there, or comes down there.
+    template <class Circle>
+    [[nodiscard]] Real time_into(const Circle& circle) const {
+        if (is_in_circle(circle, ball_.r)) return 0;
+        return time_to_come_within(circle.centre, circle.radius);
+    }
+
+    /// When the ball's centre comes within `distance` of a place, s; 0 where it is there already
+    /// and does not move away.
     [[nodiscard]] Real time_to_come_within(Vec2 place, Real distance) const {
         // reach_ is wider than the centre's way by the radius at least.
         if (place.x - distance > reach_.high_x || place.x + distance < reach_.low_x ||

@@ -231,6 +231,34 @@ void expect_finite(const ShotTrace& trace) {
     }
 }
 
+TEST_P(ClothHardCase, BallThatStartsInAPocketDropsWhicheverWayItGoes) {
+    for (const Vec2 v : {Vec2{1, 0.3}, Vec2{-1, -0.3}, Vec2{0, 0.01}}) {
+        for (const bool rolls : {true, false}) {
+            Scene scene = on_cloth({{0.03, 0}});
+            set_xy(scene.balls[0].state.v, v);
+            if (rolls) scene.balls[0].state.w = rolling_spin(v);
+            scene.table.pockets = PocketModel::kCircles;
+            scene.table.circles = {{"hole", {0, 0}, 0.06}};
+            const auto captures = events_of(simulate(scene), EventKind::kBallPocket);
+            ASSERT_EQ(1U, captures.size());
+            EXPECT_EQ(0, captures[0].t);
+        }
+    }
+}
+
+TEST_P(ClothHardCase, BallThatComesDownBehindTheMiddleOfAPocketDrops) {
+    constexpr double kWay = 0.5;  // m, of the flight
+    Scene scene = on_cloth({{0, 0}});
+    scene.effects.airborne = AirborneSpec{0};
+    scene.balls[0].state.v = {1, 0, kWay * scene.gravity / 2};
+    scene.table.pockets = PocketModel::kCircles;
+    scene.table.circles = {{"hole", {kWay - 0.04, 0}, 0.06}};
+    scene.solver.hz = 240;
+    const ShotTrace trace = simulate(scene);
+    EXPECT_EQ(Motion::kPocketed, trace.balls[0].motion);
+    EXPECT_NEAR(kWay, final_place(trace, 0).x, 0.01);
+}
+
 TEST_P(ClothHardCase, ExtremeSpeedsAndPlacesGiveDefinedResults) {
     for (const double speed : {5e-324, 1e-300, 1e-150, 1e-9, 30.0, 1e6}) {
         for (const double far : {0.0, 1e6 - 10}) {

@@ -1,5 +1,6 @@
 #include "client/lab/ensembles/ensembles.hpp"
 
+#include "shared/physics/effects/pocket_circles.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>
@@ -24,6 +25,14 @@ TEST_P(EnsembleTest, HasScenesThatTheEventSolverTakes) {
         const auto fault = check(scene);
         EXPECT_FALSE(fault) << scene.id << ": " << fault->pointer << " " << fault->reason;
         EXPECT_EQ(scene.solver.kind, SolverKind::kEvent);
+    }
+}
+
+TEST_P(EnsembleTest, HasNoShotThatBeginsInAPocket) {
+    for (const Scene& scene : scenes_of(GetParam(), 1, 1000)) {
+        const PocketCircles pockets(scene);
+        for (const SceneBall& ball : scene.balls)
+            EXPECT_FALSE(pockets.at(xy(ball.state.r))) << scene.id;
     }
 }
 
