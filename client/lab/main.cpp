@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <system_error>
@@ -126,6 +127,12 @@ void add_effects(CLI::App& app, EffectsOptions& options) {
         "effects", "What every kernel and every effect costs, and how far each moves the balls");
     command->add_flag("--quick", options.plan.quick, "20 shots, not 200: some seconds");
     add_plan(command, options.plan);
+    const auto count = [&options](std::int64_t) {
+        options.counted = std::filesystem::read_symlink("/proc/self/exe").string();
+    };
+    command->add_flag_function(
+        "--callgrind", count,
+        "Counts instructions by valgrind: some minutes, good to the last one");
     command->add_option("--out", options.out, "Also writes DIR/effects.csv and DIR/effects.json")
         ->type_name("DIR");
     options.bar = isatty(STDERR_FILENO) == 1;

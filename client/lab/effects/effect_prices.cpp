@@ -18,15 +18,17 @@ Price divided(const Cost& cost, double pieces) {
 }
 
 /// Of all the shots once.
-Cost cost_of(const std::vector<Scene>& shots, const Repeats& repeats) {
+Cost cost_of(const std::vector<Scene>& shots, const Repeats& repeats, Callgrind* callgrind) {
     Simulator simulator;
     ShotTrace trace;
-    return measure(
+    Cost cost = measure(
         [&] {
             for (const Scene& scene : shots)
                 simulator.simulate(scene, 0, trace);
         },
         repeats);
+    if (callgrind != nullptr) cost.instructions = callgrind->instructions_of(shots);
+    return cost;
 }
 
 /// What `count` gives for the traces, added up.
@@ -42,7 +44,8 @@ double sum_over(const std::vector<Scene>& shots, Count count) {
     return static_cast<double>(sum);
 }
 
-std::optional<Price> price_of_ball_step(std::vector<Scene>& shots, const Repeats& repeats) {
+std::optional<Price> price_of_ball_step(std::vector<Scene>& shots, const Repeats& repeats,
+                                        Callgrind* callgrind) {
     for (Scene& scene : shots) {
         scene.solver = kStepping;
         if (check(scene)) return std::nullopt;
@@ -50,17 +53,17 @@ std::optional<Price> price_of_ball_step(std::vector<Scene>& shots, const Repeats
     const double steps = sum_over(shots, [](const Scene& scene, const ShotTrace& trace) {
         return trace.ticks * scene.balls.size();
     });
-    return divided(cost_of(shots, repeats), steps);
+    return divided(cost_of(shots, repeats, callgrind), steps);
 }
 
 }  // namespace
 
-ShotPrices prices_of(std::vector<Scene> shots, const Repeats& repeats) {
-    const Cost cost = cost_of(shots, repeats);
+ShotPrices prices_of(std::vector<Scene> shots, const Repeats& repeats, Callgrind* callgrind) {
+    const Cost cost = cost_of(shots, repeats, callgrind);
     const double events = sum_over(
         shots, [](const Scene& /*scene*/, const ShotTrace& trace) { return trace.events.size(); });
     return {divided(cost, static_cast<double>(shots.size())), divided(cost, std::max(events, 1.0)),
-            price_of_ball_step(shots, repeats)};
+            price_of_ball_step(shots, repeats, callgrind)};
 }
 
 Price price_by(std::string_view kernel, const std::vector<Scene>& shots, const Repeats& repeats) {

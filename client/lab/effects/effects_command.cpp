@@ -1,6 +1,7 @@
 #include "client/lab/effects/effects_command.hpp"
 
 #include "client/compare/agreement.hpp"
+#include "client/lab/effects/callgrind.hpp"
 #include "client/lab/effects/effect_cases.hpp"
 #include "client/lab/effects/effect_prices.hpp"
 #include "client/lab/effects/effects_results.hpp"
@@ -59,10 +60,20 @@ void compare_outcomes(const std::vector<ShotTrace>& present, const std::vector<S
 class EffectsRun {
   public:
     EffectsRun(const EffectsOptions& options, std::ostream& out, std::ostream& error)
-        : plan_(options.plan), out_(out), progress_(error, options.bar) {}
+        : plan_(options.plan), out_(out), progress_(error, options.bar) {
+        if (!options.counted.empty()) callgrind_.emplace(options.counted);
+    }
+
+    /// Whether instructions can be counted as asked for; fault() says why not.
+    bool can_count() {
+        if (callgrind_)
+            (void)callgrind_->instructions_of(
+                changed_scenes("one_ball", plan_.seed, 1, [](Scene&) {}));
+        return !fault();
+    }
 
     EffectsResult run() {
-        result_.command = command_line("effects", plan_);
+        result_.command = command_line("effects", plan_) + (callgrind_ ? " --callgrind" : "");
         result_.seed = plan_.seed;
         result_.shots = plan_.shots > 0 ? plan_.shots : plan_.quick ? kQuickShots : kShots;
         result_.build = build_info();
@@ -76,20 +87,32 @@ class EffectsRun {
     /// none does.
     [[nodiscard]] const std::string& wrong() const { return wrong_; }
 
+    /// Why instructions could not be counted.
+    [[nodiscard]] std::optional<std::string> fault() const {
+        return callgrind_ ? callgrind_->fault() : std::nullopt;
+    }
+
   private:
+    ShotPrices prices(const std::vector<Scene>& shots) {
+        return prices_of(shots, plan_.repeats(), callgrind_ ? &*callgrind_ : nullptr);
+    }
+
+    /// Then what was begun is not finished.
+    [[nodiscard]] bool is_over() const { return Interruption::asked_for() || fault(); }
+
     [[nodiscard]] std::vector<Scene> scenes(std::string_view ensemble, ChangeScene change) const {
         return changed_scenes(ensemble, plan_.seed, result_.shots, change);
     }
 
-    /// False if it was interrupted.
+    /// False if it is over.
     bool run_kernels() {
         progress_.begin("kernels", kernel_cases().size());
         for (const KernelCase& one : kernel_cases()) {
-            if (Interruption::asked_for()) return false;
             const std::vector<Scene> shots = scenes(one.ensemble, one.change);
-            result_.kernels.push_back({std::string(one.kernel), std::string(one.ensemble),
-                                       prices_of(shots, plan_.repeats()),
-                                       price_by("everything", shots, plan_.repeats())});
+            KernelRow row{std::string(one.kernel), std::string(one.ensemble), prices(shots),
+                          price_by("everything", shots, plan_.repeats())};
+            if (is_over()) return false;
+            result_.kernels.push_back(std::move(row));
             progress_.step();
         }
         progress_.clear();
@@ -97,11 +120,11 @@ class EffectsRun {
         return true;
     }
 
-    /// False if it was interrupted, or an effect is wrong.
+    /// False if it is over, or an effect is wrong.
     bool run_effects() {
         progress_.begin("effects", effect_cases().size());
         for (const EffectCase& one : effect_cases()) {
-            if (Interruption::asked_for() || !run_effect(one)) return false;
+            if (!run_effect(one)) return false;
             progress_.step();
         }
         progress_.clear();
@@ -116,16 +139,17 @@ class EffectsRun {
         const std::vector<Scene> absent = weaker(present, one.absent, traces);
         const std::vector<ShotTrace> without = traces_of(absent);
         compare_outcomes(traces, without, row);
-        row.present = prices_of(present, plan_.repeats());
-        row.absent = prices_of(absent, plan_.repeats());
+        row.present = prices(present);
+        row.absent = prices(absent);
         if (one.zero) {
             const std::vector<Scene> zero = weaker(present, one.zero, traces);
             if (!are_same(without, traces_of(zero))) {
                 wrong_ = row.effect;
                 return false;
             }
-            row.zero = prices_of(zero, plan_.repeats());
+            row.zero = prices(zero);
         }
+        if (is_over()) return false;
         result_.effects.push_back(std::move(row));
         return true;
     }
@@ -133,6 +157,7 @@ class EffectsRun {
     const RunPlan& plan_;
     std::ostream& out_;
     Progress progress_;
+    std::optional<Callgrind> callgrind_;
     EffectsResult result_;
     std::string wrong_;
 };
@@ -144,7 +169,9 @@ Status measure_effects(const EffectsOptions& options, std::ostream& out, std::os
     if (files.fault()) return fail(error, *files.fault());
     const Interruption interruption;
     EffectsRun run(options, out, error);
+    if (!run.can_count()) return fail(error, *run.fault());
     const EffectsResult result = run.run();
+    if (run.fault()) return fail(error, *run.fault());
     if (!run.wrong().empty()) {
         error << "poolhall-lab: " << run.wrong()
               << ": shots without it and with it at zero strength differ\n";

@@ -163,6 +163,9 @@ def _effects(effects):
     if effects["effects"]:
         parts += [_picture("effects", "What each effect costs, and how far it moves the balls"),
                   words.effects_in_words(effects["effects"]), tables.effects_table(effects)]
+        counted = tables.instructions_table(effects)
+        if counted:
+            parts += ["The same in instructions, which no other work on the machine disturbs:", counted]
     if effects["kernels"]:
         parts += ["A kernel is the simulation with one set of effects compiled in; the cheapest that has all effects of a scene is "
                   "taken. A ball-step is one ball in one tick, by `semi_implicit` at 120 Hz; events and shots are by `event`:",

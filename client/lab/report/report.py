@@ -37,9 +37,9 @@ def arguments_of(command_line):
     return options, rest
 
 
-def shared_flags(rest):
-    """Of the flags for accuracy, those that effects takes too."""
-    taken = []
+def effects_flags(rest):
+    """Of the flags for accuracy, those that effects takes too; a full run counts instructions as well."""
+    taken = [] if "--quick" in rest else ["--callgrind"]
     for number, flag in enumerate(rest):
         if flag.partition("=")[0] in FLAGS_OF_BOTH:
             taken += rest[number:number + (2 if flag == "--seed" else 1)]
@@ -59,7 +59,7 @@ def measure(lab, rest, work):
     status = 0
     if not lab.run("accuracy", *rest, "--out", results):
         return measuring.INTERRUPTED
-    for command, run in (("effects", lambda: lab.run("effects", *shared_flags(rest), "--out", results)), ("compare", compare)):
+    for command, run in (("effects", lambda: lab.run("effects", *effects_flags(rest), "--out", results)), ("compare", compare)):
         if not lab.knows(command):
             print(f"poolhall: this poolhall-lab has no '{command}', so the report leaves it out", file=sys.stderr)
             continue

@@ -145,9 +145,27 @@ def effects_table(data):
     return table(heads, rows) if rows else None
 
 
+def instructions_table(data):
+    """Instructions in the three forms, a shot and a ball-step; None where they were not counted."""
+    rows = []
+    for effect in data["effects"]:
+        forms = [effect["absent"], effect["zero"] or {}, effect["present"]]
+        shots = [form.get("instructions_per_shot") for form in forms]
+        if shots[0] is None or shots[2] is None:
+            continue
+        steps = [form.get("instructions_per_ball_step") for form in forms]
+        rows.append([effect["effect"], effect["ensemble"].replace("_", " "), *map(_whole, shots), plain(shots[2] / shots[0]),
+                     *map(_whole, steps)])
+    heads = ["effect", "ensemble", "a shot without", "at zero", "with it", "ratio", "a ball-step without", "at zero", "with it"]
+    return table(heads, rows) if rows else None
+
+
+def _whole(instructions):
+    return NOTHING if instructions is None else f"{instructions:,.0f}"
+
+
 def _cost(cost):
-    instructions = cost.get("instructions") if cost else None
-    return [time_of_ns(cost["ns"] if cost else None), NOTHING if instructions is None else f"{instructions:,.0f}"]
+    return [time_of_ns(cost["ns"] if cost else None), _whole(cost.get("instructions") if cost else None)]
 
 
 def kernels_table(data):

@@ -6,6 +6,8 @@ from results import median_of, point_of
 
 # The same shots timed twice differ by some 15 %.
 NOTICEABLE = 1.25
+# A smaller share of instructions is not told.
+LEAST_SAID = 1e-4
 
 
 def _runs(points):
@@ -123,12 +125,12 @@ def simplest(accuracy):
 
 def effects_in_words(effects):
     """The dearest effect, the one that moves most, and what it costs to name one that does nothing."""
-    def ratio(effect, form):
-        return effect[form]["ns_per_shot"] / effect["absent"]["ns_per_shot"]
+    def ratio(effect):
+        return effect["present"]["ns_per_shot"] / effect["absent"]["ns_per_shot"]
 
-    dearest = max(effects, key=lambda effect: ratio(effect, "present"))
+    dearest = max(effects, key=ratio)
     said = [f"The dearest effect is {dearest['effect']}: a shot of {dearest['ensemble'].replace('_', ' ')} takes "
-            f"{times(ratio(dearest, 'present'))} times as long with it as without."]
+            f"{times(ratio(dearest))} times as long with it as without."]
     moving = [effect for effect in effects if effect["rest_change"]]
     if moving:
         worth = max(moving, key=lambda effect: effect["rest_change"]["median"])
@@ -136,10 +138,21 @@ def effects_in_words(effects):
                     f"rests {metres(worth['rest_change']['median'])} away, and {percent(worth['verdict_flips'])} of the verdicts change.")
     idle = [effect for effect in effects if effect["zero"]]
     if idle:
-        worst = max(idle, key=lambda effect: ratio(effect, "zero"))
-        if ratio(worst, "zero") > NOTICEABLE:
-            said.append(f"An effect that a scene names at zero is paid for all the same: up to {times(ratio(worst, 'zero'))} times the "
-                        f"time ({worst['effect']}), for the same shot.")
-        else:
-            said.append("An effect that a scene names at zero costs no more than one that it leaves out, within the scatter of times.")
+        said.append(_idle_in_words(idle))
     return " ".join(said)
+
+
+def _idle_in_words(effects):
+    """What it costs to name an effect that does nothing: in instructions where they were counted, for times scatter."""
+    unit = "instructions_per_shot"
+    if all(effect[form].get(unit) for effect in effects for form in ("zero", "absent")):
+        more, dearest = max((effect["zero"][unit] / effect["absent"][unit] - 1, effect["effect"]) for effect in effects)
+        if more < LEAST_SAID:
+            return "An effect that a scene names at zero takes no more instructions than one that it leaves out."
+        return (f"An effect that a scene names at zero takes at most {percent(more)} more instructions than one that it leaves out "
+                f"({dearest}), for the same shot.")
+    more, dearest = max((effect["zero"]["ns_per_shot"] / effect["absent"]["ns_per_shot"], effect["effect"]) for effect in effects)
+    if more > NOTICEABLE:
+        return (f"An effect that a scene names at zero is paid for all the same: up to {times(more)} times the time ({dearest}), "
+                "for the same shot.")
+    return "An effect that a scene names at zero costs no more than one that it leaves out, within the scatter of times."

@@ -80,5 +80,12 @@ TEST_F(EffectsCommand, SaysAtOnceThatTheFolderCannotBeMade) {
     EXPECT_EQ("", out.str());
 }
 
+TEST_F(EffectsCommand, SaysAtOnceThatInstructionsCannotBeCounted) {
+    EXPECT_EQ(Status::kBadInput,
+              measure_effects({{1, true, 2}, "", false, "/nowhere/lab"}, out, error));
+    EXPECT_EQ("poolhall-lab: valgrind cannot count instructions of /nowhere/lab\n", error.str());
+    EXPECT_EQ("", out.str());
+}
+
 }  // namespace
 }  // namespace poolhall::lab

@@ -98,6 +98,20 @@ class WordsTest(unittest.TestCase):
                          "verdicts change. An effect that a scene names at zero is paid for all the same: up to 1.4 times the time "
                          "(sliding), for the same shot.", words.effects_in_words(EFFECTS["effects"]))
 
+    def test_instructions_say_more_exactly_what_an_idle_effect_costs(self):
+        effects = json.loads(json.dumps(EFFECTS["effects"]))
+        for effect, zero in zip(effects, (100_400, None, 100_000)):
+            effect["absent"]["instructions_per_shot"] = effect["present"]["instructions_per_shot"] = 100_000
+            if zero:
+                effect["zero"]["instructions_per_shot"] = zero
+        self.assertTrue(words.effects_in_words(effects).endswith(
+            "takes at most 0.40 % more instructions than one that it leaves out (sliding), for the same shot."))
+        effects[0]["zero"]["instructions_per_shot"] = 100_000
+        self.assertTrue(words.effects_in_words(effects).endswith("takes no more instructions than one that it leaves out."))
+        self.assertIn("| sliding | two balls | 100,000 | 100,000 | 100,000 | 1.00 | – | – | – |",
+                      tables.instructions_table({"effects": effects}))
+        self.assertIsNone(tables.instructions_table(EFFECTS))
+
     def test_orders_that_theory_does_not_expect_are_named_with_their_reason(self):
         self.assertEqual(["Two balls, `euler`, rest error: 1.66 where 1 is expected: steps of 4 between rates",
                           "No order could be fitted of rest error: closed form in every tick: no error to fall. "
