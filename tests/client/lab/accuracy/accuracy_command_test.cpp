@@ -149,7 +149,8 @@ TEST_F(Accuracy, CtrlCKeepsWhatIsFinished) {
 
 TEST_F(Accuracy, OverlapMissesWhatSweptContactsFind) {
     ASSERT_EQ(run(small({"tunnelling"})), Status::kGood);
-    for (const Json& one : json()["tunnelling"]) {
+    const Json found = json();
+    for (const Json& one : found["tunnelling"]) {
         const double missed = one["missed"].back();  // at 30 m/s
         if (one["label"] == "euler:30") {
             EXPECT_EQ(missed, 0);
