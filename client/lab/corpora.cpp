@@ -109,13 +109,20 @@ std::span<const Corpus> corpora() {
     return kCorpora;
 }
 
-std::uint64_t hash_of(const Corpus& corpus) {
+std::vector<Scene> scenes_of(const Corpus& corpus) {
     Random random(2026);
+    std::vector<Scene> scenes;
+    for (int shot = 0; shot < corpus.shots; ++shot)
+        scenes.push_back(corpus.make(random, shot));
+    return scenes;
+}
+
+std::uint64_t hash_of(const Corpus& corpus) {
     StateHash hash;
     Simulator simulator;
     ShotTrace trace;
-    for (int shot = 0; shot < corpus.shots; ++shot) {
-        simulator.simulate(corpus.make(random, shot), 0, trace);
+    for (const Scene& scene : scenes_of(corpus)) {
+        simulator.simulate(scene, 0, trace);
         hash.add(trace.hash);
     }
     return hash.value();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 // Shots whose results every compiler, optimisation level and processor must agree on. No
 // third-party library: tests/tooling compiles this for machines that have none.
@@ -18,6 +19,8 @@ struct Corpus {
 };
 
 [[nodiscard]] std::span<const Corpus> corpora();
+
+[[nodiscard]] std::vector<Scene> scenes_of(const Corpus& corpus);
 
 /// Simulates all of it: the hash of the shots' hashes.
 [[nodiscard]] std::uint64_t hash_of(const Corpus& corpus);

@@ -333,7 +333,9 @@ class EventSolver {
             for (const std::size_t i : {contact.a, contact.b})
                 bring_to_now(i);
         }
-        if (!resolve_contacts(set_, cloth_, run_, time())) return false;
+        const bool settled = resolve_contacts(set_, cloth_, run_, time(),
+                                              [this](std::size_t lost) { refresh(lost); });
+        if (!settled) return false;
         // All arcs first: a search looks at both.
         for (const Contact& contact : work_.contacts) {
             launch(contact.a);

@@ -166,7 +166,7 @@ class ExactArcSolver {
             prepare_for_impact(contact.a, t);
             prepare_for_impact(contact.b, t);
         }
-        if (!resolve_contacts(set_, cloth_, run_, t)) return false;
+        if (!resolve_contacts(set_, cloth_, run_, t, [](std::size_t /*lost*/) {})) return false;
         for (const Contact& contact : work_.contacts) {
             launch(contact.a, t);
             launch(contact.b, t);

@@ -9,15 +9,17 @@
 
 namespace poolhall {
 
-/// Balls that are above the rails when they get there are off the table.
-template <class Set>
-void lose_balls_over_rails(const Set& set, ShotRun& run, Real t) {
+/// Balls that are above the rails when they get there are off the table: `lost(ball)` for each.
+template <class Set, class Lost>
+void lose_balls_over_rails(const Set& set, ShotRun& run, Real t, Lost lost) {
     if constexpr (Set::template kHas<Airborne>) {
         const Airborne& airborne = set.template effect<Airborne>();
         std::vector<MovingBall>& balls = run.balls();
         for (const Contact& contact : run.workspace().contacts) {
-            if (contact.kind == Contact::Kind::kRail && airborne.clears_rail(balls[contact.a]))
-                run.lose(t, contact.a);
+            if (contact.kind != Contact::Kind::kRail || !airborne.clears_rail(balls[contact.a]))
+                continue;
+            run.lose(t, contact.a);
+            lost(contact.a);
         }
         std::erase_if(run.workspace().contacts, [&](const Contact& contact) {
             return !in_play(balls[contact.a]) || !in_play(balls[contact.b]);
@@ -54,12 +56,13 @@ inline void note_partners(const std::vector<Contact>& contacts, std::vector<Movi
 }
 
 /// Lets the workspace's contacts, whose balls are as they are at t, happen as one group, and
-/// records them. False if they do not settle.
-template <class Set>
-bool resolve_contacts(const Set& set, const Cloth<Set>& cloth, ShotRun& run, Real t) {
+/// records them. False if they do not settle. Of balls that are lost over a rail no contact is
+/// left; `lost(ball)` is called for each.
+template <class Set, class Lost>
+bool resolve_contacts(const Set& set, const Cloth<Set>& cloth, ShotRun& run, Real t, Lost lost) {
     Workspace& work = run.workspace();
     std::vector<MovingBall>& balls = run.balls();
-    lose_balls_over_rails(set, run, t);
+    lose_balls_over_rails(set, run, t, lost);
     snap_to_rails(set, run);
     work.before.clear();
     for (const Contact& contact : work.contacts) {

@@ -129,10 +129,11 @@ class OwnEventSearch {
     }
 
     void take(const Capture& capture) {
-        // Where rail and pocket come at the same instant, the pocket does.
-        const bool as_early =
-            arc_.since + capture.t == event_.t && event_.kind == OwnEvent::Kind::kRail;
-        if (as_early) event_.t = kNever;
+        // Where rail and pocket come at the same instant, the pocket does; of two pockets the
+        // first.
+        const bool as_early = arc_.since + capture.t == event_.t;
+        if (as_early && event_.kind == OwnEvent::Kind::kCapture) return;
+        if (as_early && event_.kind == OwnEvent::Kind::kRail) event_.t = kNever;
         if (is_first(capture.t, OwnEvent::Kind::kCapture)) event_.pocket = capture.pocket;
     }
 

@@ -150,7 +150,7 @@ class SteppingSolver {
             cloth_.update_spin(balls_[contact.a]);
             cloth_.update_spin(balls_[contact.b]);
         }
-        return resolve_contacts(set_, cloth_, run_, t);
+        return resolve_contacts(set_, cloth_, run_, t, [](std::size_t /*lost*/) {});
     }
 
     const Set& set_;

@@ -246,6 +246,40 @@ TEST_P(ClothHardCase, BallThatStartsInAPocketDropsWhicheverWayItGoes) {
     }
 }
 
+TEST_P(ClothHardCase, BallThatStartsInTwoPocketsDropsIntoTheFirst) {
+    Scene scene = on_cloth({{0, 0}});
+    set_xy(scene.balls[0].state.v, {1, 0});
+    scene.table.pockets = PocketModel::kCircles;
+    scene.table.circles = {{"far", {1, 0}, 0.1}, {"first", {0.02, 0}, 0.06}, {"second", {}, 0.06}};
+    EXPECT_EQ(Pocket{1}, simulate(scene).balls[0].pocket);
+}
+
+TEST_P(ClothHardCase, ShotGoesOnWhenABallHasLeftTheTable) {
+    Scene scene = on_cloth({{1, 0}, {0, 0}, {-1, 0}});
+    scene.effects.airborne = AirborneSpec{};
+    scene.balls[0].state.v = {2, 0, 1};
+    scene.balls[1].state.v = {0.1, 1, 0};
+    scene.solver.hz = 240;
+    const ShotTrace trace = simulate(scene, 30);
+    EXPECT_EQ(Outcome::kRest, trace.outcome);
+    EXPECT_EQ(Motion::kOffTable, trace.balls[0].motion);
+    EXPECT_EQ(1U, count(trace, EventKind::kOffTable));
+    EXPECT_EQ(Motion::kStationary, trace.balls[1].motion);
+    EXPECT_LT(0U, count(trace, EventKind::kRollToRest));
+    EXPECT_EQ("", testing::broken_invariant(scene, trace, overlap()));
+}
+
+TEST_P(ClothHardCase, ShotEndsWhenItsOnlyBallHasLeftTheTable) {
+    Scene scene = on_cloth({{1, 0}});
+    scene.effects.airborne = AirborneSpec{};
+    scene.balls[0].state.v = {2, 0, 1};
+    scene.solver.hz = 240;
+    const ShotTrace trace = simulate(scene);
+    EXPECT_EQ(Outcome::kRest, trace.outcome);
+    ASSERT_EQ(1U, trace.events.size());
+    EXPECT_EQ(EventKind::kOffTable, trace.events[0].kind);
+}
+
 TEST_P(ClothHardCase, BallThatComesDownBehindTheMiddleOfAPocketDrops) {
     constexpr double kWay = 0.5;  // m, of the flight
     Scene scene = on_cloth({{0, 0}});

@@ -4,6 +4,7 @@
 #include "tests/shared/random.hpp"
 #include "tests/shared/scenes.hpp"
 #include "tests/shared/solvers.hpp"
+#include "tests/shared/traces.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -69,6 +70,26 @@ TEST_P(EveryTickOfAShot, ShotsEndWithinTheTimeThatRollingAloneMayTake) {
         const double energy = speed * speed / 2 * (1 + 2.5);
         EXPECT_LE(trace.duration, 2 * std::sqrt(energy * 0.7 * count) / (0.01 * 9.81) + 1);
     }
+}
+
+TEST_P(EveryTickOfAShot, JumpsObeyTheLawsToo) {
+    const bool sinks = GetParam() == SolverKind::kEuler || GetParam() == SolverKind::kSemiImplicit;
+    // A ball that sinks into the slate within a tick is put back onto it, whoever is above.
+    const double allowed = sinks ? 0.02 : overlap();
+    testing::Random random(73);
+    std::size_t lost = 0;
+    for (int i = 0; i < 200; ++i) {
+        SCOPED_TRACE(i);
+        Scene scene = shot_number(i, random);
+        scene.effects.airborne = AirborneSpec{random.uniform(0, 0.8)};
+        scene.strike->elevation = random.uniform(0.1, 1.5);
+        scene.solver = {GetParam(), 120};
+        const ShotTrace trace = simulate(scene, 30);
+        ASSERT_EQ(Outcome::kRest, trace.outcome);
+        ASSERT_EQ("", testing::broken_invariant(scene, trace, allowed));
+        lost += testing::count(trace, EventKind::kOffTable);
+    }
+    EXPECT_LT(5U, lost);
 }
 
 }  // namespace
