@@ -249,13 +249,25 @@ class InstantSearch {
     [[nodiscard]] bool rest_against(std::size_t i, std::size_t j) const {
         const MovingBall& a = balls_[i];
         const MovingBall& b = balls_[j];
-        const Real distance = contact_distance(a, b);
         const Vec2 c = b.r - a.r;
-        const Vec2 v_a = xy(paths_.drift(i));
-        const Vec2 v_b = xy(paths_.drift(j));
+        const Vec3 v_a = paths_.drift(i);
+        const Vec3 v_b = paths_.drift(j);
         const Real speed = std::max({abs(v_a.x), abs(v_a.y), abs(v_b.x), abs(v_b.y)});
+        if constexpr (Set::template kHas<Airborne>) {
+            if (is_in_air(i) || is_in_air(j)) {
+                const Real rise = (b.height - a.height) + (b.radius - a.radius);
+                return touch_and_rest(Vec3{c.x, c.y, rise}, v_b - v_a, a.radius + b.radius,
+                                      std::max({speed, abs(v_a.z), abs(v_b.z)}));
+            }
+        }
+        return touch_and_rest(c, xy(v_b) - xy(v_a), contact_distance(a, b), speed);
+    }
+
+    template <class Vec>
+    [[nodiscard]] static bool touch_and_rest(const Vec& c, const Vec& v, Real distance,
+                                             Real speed) {
         return dot(c, c) <= (1 + kTouchRounding) * distance * distance &&
-               -dot(c, v_b - v_a) <= kTouchRounding * distance * speed;
+               -dot(c, v) <= kTouchRounding * distance * speed;
     }
 
     void find_rail_contacts() {

@@ -254,6 +254,21 @@ TEST_P(ClothHardCase, BallThatStartsInTwoPocketsDropsIntoTheFirst) {
     EXPECT_EQ(Pocket{1}, simulate(scene).balls[0].pocket);
 }
 
+TEST_P(ClothHardCase, BallThatComesUpUnderOneThatFliesOnHitsIt) {
+    // Seen from above they part.
+    Scene scene = on_cloth({{0, 0}, {0.02, 0}});
+    scene.effects.airborne = AirborneSpec{};
+    scene.balls[0].state.r.z = 0.06;
+    scene.balls[0].state.v = {-0.1, 0, 0};
+    scene.balls[1].state.v = {0.1, 0, 1};
+    scene.solver.hz = 480;
+    const auto hits = events_of(simulate(scene), EventKind::kBallBall);
+    ASSERT_LT(0U, hits.size());
+    // Both fall alike: |(0.02 + 0.2 t, -0.06 + t)| is a diameter.
+    const double gap = 0.02 * 0.02 + 0.06 * 0.06 - kDiameter * kDiameter;
+    EXPECT_NEAR((0.056 - std::sqrt(0.056 * 0.056 - 1.04 * gap)) / 1.04, hits[0].t, 1e-12);
+}
+
 TEST_P(ClothHardCase, ShotGoesOnWhenABallHasLeftTheTable) {
     Scene scene = on_cloth({{1, 0}, {0, 0}, {-1, 0}});
     scene.effects.airborne = AirborneSpec{};
