@@ -5,6 +5,7 @@ import math
 from matplotlib import ticker
 
 import style
+from findings import counts_instructions, price_ratio
 from numbers_in_words import percent
 
 FORMS = {
@@ -15,10 +16,6 @@ WORTH = "#009E73"
 # Multiples that an axis of costs names, as many as its range needs.
 MULTIPLES = (0.5, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.5, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000)
 NEAREST_TICKS = 0.12  # of the axis
-
-
-def _times(effect, form):
-    return effect[form]["ns_per_shot"] / effect["absent"]["ns_per_shot"]
 
 
 def _ticks(least, most):
@@ -35,20 +32,20 @@ def _costs(axes, effects):
     """A row an effect: what a shot costs with it, as a multiple of one without."""
     every = [1.0]
     for form, looks in FORMS.items():
-        rows = [(_times(effect, form), row) for row, effect in enumerate(effects) if effect[form]]
+        rows = [(price_ratio(effects, effect, form), row) for row, effect in enumerate(effects) if effect[form]]
         every += [ratio for ratio, _ in rows]
         if rows:
             (line,) = axes.plot(*zip(*rows), linestyle="", markersize=8, zorder=3, **looks)
             line.set_gid(f"points-{form}")
     for row, effect in enumerate(effects):
-        axes.plot([1, _times(effect, "present")], [row, row], color="#BBBBBB", linewidth=2.5, zorder=1)
+        axes.plot([1, price_ratio(effects, effect, "present")], [row, row], color="#BBBBBB", linewidth=2.5, zorder=1)
     axes.axvline(1, color=style.MUTED, linewidth=1.2)
     axes.set_xscale("log")
     axes.xaxis.set_major_locator(ticker.FixedLocator(_ticks(min(every), max(every))))
     axes.xaxis.set_minor_locator(ticker.NullLocator())
     axes.xaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"×{value:g}"))
     axes.margins(0.1, 0.08)
-    axes.set_xlabel("CPU time of a shot")
+    axes.set_xlabel("instructions of a shot" if counts_instructions(effects) else "CPU time of a shot")
     axes.set_title("What it costs")
 
 

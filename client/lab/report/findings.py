@@ -25,6 +25,18 @@ def pareto_front(ensemble):
     return front
 
 
+def counts_instructions(effects):
+    """Whether instructions were counted of all; they compare effects better than times, which scatter."""
+    return all(effect[form].get("instructions_per_shot") for effect in effects for form in ("absent", "zero", "present")
+               if effect[form])
+
+
+def price_ratio(effects, effect, form):
+    """How many times what a shot without the effect costs one in the form `zero` or `present` does: instructions, or else time."""
+    unit = "instructions_per_shot" if counts_instructions(effects) else "ns_per_shot"
+    return effect[form][unit] / effect["absent"][unit]
+
+
 def is_good_enough(point):
     """In the median within ENOUGH_ERROR, and fewer than ENOUGH_FLIPS of the verdicts changed, where there are verdicts."""
     error = median_of(point, "rest_error")

@@ -1,6 +1,7 @@
 """What the figures show, in sentences whose numbers and verdicts are computed."""
 
-from findings import ENOUGH_ERROR, ENOUGH_FLIPS, has_verdicts, is_good_enough, measured, pareto_front, stepping, tenfold
+from findings import (ENOUGH_ERROR, ENOUGH_FLIPS, counts_instructions, has_verdicts, is_good_enough, measured, pareto_front,
+                      price_ratio, stepping, tenfold)
 from numbers_in_words import listed, metres, percent, plain, time_of_ns, times
 from results import median_of, point_of
 
@@ -125,34 +126,29 @@ def simplest(accuracy):
 
 def effects_in_words(effects):
     """The dearest effect, the one that moves most, and what it costs to name one that does nothing."""
-    def ratio(effect):
-        return effect["present"]["ns_per_shot"] / effect["absent"]["ns_per_shot"]
-
-    dearest = max(effects, key=ratio)
+    dearest = max(effects, key=lambda effect: price_ratio(effects, effect, "present"))
+    price = "as many instructions" if counts_instructions(effects) else "as long"
     said = [f"The dearest effect is {dearest['effect']}: a shot of {dearest['ensemble'].replace('_', ' ')} takes "
-            f"{times(ratio(dearest))} times as long with it as without."]
+            f"{times(price_ratio(effects, dearest, 'present'))} times {price} with it as without."]
     moving = [effect for effect in effects if effect["rest_change"]]
     if moving:
         worth = max(moving, key=lambda effect: effect["rest_change"]["median"])
         said.append(f"Most is lost without {worth['effect']}: in the median shot of {worth['ensemble'].replace('_', ' ')} a ball "
                     f"rests {metres(worth['rest_change']['median'])} away, and {percent(worth['verdict_flips'])} of the verdicts change.")
-    idle = [effect for effect in effects if effect["zero"]]
-    if idle:
-        said.append(_idle_in_words(idle))
+    if any(effect["zero"] for effect in effects):
+        said.append(_idle_in_words(effects))
     return " ".join(said)
 
 
 def _idle_in_words(effects):
-    """What it costs to name an effect that does nothing: in instructions where they were counted, for times scatter."""
-    unit = "instructions_per_shot"
-    if all(effect[form].get(unit) for effect in effects for form in ("zero", "absent")):
-        more, dearest = max((effect["zero"][unit] / effect["absent"][unit] - 1, effect["effect"]) for effect in effects)
-        if more < LEAST_SAID:
+    """What it costs to name an effect that does nothing."""
+    ratio, dearest = max((price_ratio(effects, effect, "zero"), effect["effect"]) for effect in effects if effect["zero"])
+    if counts_instructions(effects):
+        if ratio - 1 < LEAST_SAID:
             return "An effect that a scene names at zero takes no more instructions than one that it leaves out."
-        return (f"An effect that a scene names at zero takes at most {percent(more)} more instructions than one that it leaves out "
-                f"({dearest}), for the same shot.")
-    more, dearest = max((effect["zero"]["ns_per_shot"] / effect["absent"]["ns_per_shot"], effect["effect"]) for effect in effects)
-    if more > NOTICEABLE:
-        return (f"An effect that a scene names at zero is paid for all the same: up to {times(more)} times the time ({dearest}), "
+        return (f"An effect that a scene names at zero takes at most {percent(ratio - 1)} more instructions than one that it leaves "
+                f"out ({dearest}), for the same shot.")
+    if ratio > NOTICEABLE:
+        return (f"An effect that a scene names at zero is paid for all the same: up to {times(ratio)} times the time ({dearest}), "
                 "for the same shot.")
     return "An effect that a scene names at zero costs no more than one that it leaves out, within the scatter of times."

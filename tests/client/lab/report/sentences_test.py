@@ -106,6 +106,7 @@ class WordsTest(unittest.TestCase):
                 effect["zero"]["instructions_per_shot"] = zero
         self.assertTrue(words.effects_in_words(effects).endswith(
             "takes at most 0.40 % more instructions than one that it leaves out (sliding), for the same shot."))
+        self.assertIn("takes 1.0 times as many instructions with it as without", words.effects_in_words(effects))
         effects[0]["zero"]["instructions_per_shot"] = 100_000
         self.assertTrue(words.effects_in_words(effects).endswith("takes no more instructions than one that it leaves out."))
         self.assertIn("| sliding | two balls | 100,000 | 100,000 | 100,000 | 1.00 | – | – | – |",
