@@ -40,7 +40,7 @@ DEFINITIONS = """\
   Fitted to the medians at the rates at which the error falls evenly; in brackets the interval that holds it with a
   confidence of 95 %. Expected: by theory.
 - **Pareto front**: the solvers and rates that no other beats in both time and error. The same shots timed twice
-  differ by some 15 %, so neighbours on it may change places.
+  differ by 15 % on a quiet machine and by 30 % on a busy one, so neighbours on it may change places.
 - **A tenth of the error**: from its rate with the largest median error to that with the smallest, the error falls E times
   and the time grows C times; a tenth then costs C^(1 / log10 E) times the time."""
 

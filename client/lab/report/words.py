@@ -5,7 +5,7 @@ from findings import (ENOUGH_ERROR, ENOUGH_FLIPS, counts_instructions, has_verdi
 from numbers_in_words import listed, metres, percent, plain, time_of_ns, times
 from results import median_of, point_of
 
-# The same shots timed twice differ by some 15 %.
+# The same shots timed twice differ by 15 % on a quiet machine, and by 30 % on a busy one.
 NOTICEABLE = 1.25
 # A smaller share of instructions is not told.
 LEAST_SAID = 1e-4
