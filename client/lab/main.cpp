@@ -12,6 +12,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -31,21 +32,25 @@ struct Options {
     std::string csv;
 };
 
+/// The text as a number; nothing if it is none, has more, or is out of range.
+template <class Number>
+std::optional<Number> number_in(const std::string& text) {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
+}
+
 /// Empty for a rate of samples, HZ. CLI11's own range lets NaN through.
 std::string fault_of_rate(const std::string& text) {
-    double hz = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, hz);
-    const bool good = error == std::errc{} && stop == end && hz > 0 && hz <= poolhall::kMaxSolverHz;
+    const auto hz = number_in<double>(text);
+    const bool good = hz && *hz > 0 && *hz <= poolhall::kMaxSolverHz;
     return good ? "" : "must be a number above 0, up to 1e6";
 }
 
 /// Empty for a seed. CLI11's own range takes -1 for the largest.
 std::string fault_of_seed(const std::string& text) {
-    std::uint64_t seed = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, seed);
-    return error == std::errc{} && stop == end ? "" : "must be a whole number from 0, below 2^64";
+    return number_in<std::uint64_t>(text) ? "" : "must be a whole number from 0, below 2^64";
 }
 
 /// A solver as CLI11 reads it.

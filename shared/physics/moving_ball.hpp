@@ -56,4 +56,10 @@ inline constexpr Real kTouchRounding = 16 * kEpsilon;
     return contact_distance(a.radius, b.radius);
 }
 
+/// From the centre of ball a to that of ball b in space, m.
+[[nodiscard]] inline Vec3 between_centres(const MovingBall& a, const MovingBall& b) {
+    const Vec2 c = b.r - a.r;
+    return {c.x, c.y, (b.height - a.height) + (b.radius - a.radius)};
+}
+
 }  // namespace poolhall

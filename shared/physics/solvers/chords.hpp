@@ -146,11 +146,8 @@ class Chords {
     /// From the contact's first body to the second, along their chords t s from now.
     [[nodiscard]] Vec3 towards(const Contact& contact, Real t) const {
         if (contact.kind == Contact::Kind::kRail) return {contact.normal.x, contact.normal.y, 0};
-        const MovingBall& a = work_.balls[contact.a];
-        const MovingBall& b = work_.balls[contact.b];
-        const Vec2 c = b.r - a.r;
-        const Real rise = (b.height - a.height) + (b.radius - a.radius);
-        return Vec3{c.x, c.y, rise} + t * (drift(contact.b) - drift(contact.a));
+        return between_centres(work_.balls[contact.a], work_.balls[contact.b]) +
+               t * (drift(contact.b) - drift(contact.a));
     }
 
     /// How fast the contact's bodies approach by their arcs at a time (s), times |n|.

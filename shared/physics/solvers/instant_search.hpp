@@ -216,12 +216,8 @@ class InstantSearch {
         const Vec3 v_a = paths_.drift(i);
         const Vec3 v_b = paths_.drift(j);
         if constexpr (Set::template kHas<Airborne>) {
-            const Real rise = b.height - a.height;
-            if (rise != 0 || v_a.z != v_b.z) {
-                const Vec2 c = b.r - a.r;
-                return straight_contact({c.x, c.y, rise + (b.radius - a.radius)}, v_b - v_a,
-                                        a.radius + b.radius);
-            }
+            if (a.height != b.height || v_a.z != v_b.z)
+                return straight_contact(between_centres(a, b), v_b - v_a, a.radius + b.radius);
         }
         return time_of_impact({a.r, xy(v_a)}, {b.r, xy(v_b)}, contact_distance(a, b))
             .value_or(kNever);
@@ -249,18 +245,15 @@ class InstantSearch {
     [[nodiscard]] bool rest_against(std::size_t i, std::size_t j) const {
         const MovingBall& a = balls_[i];
         const MovingBall& b = balls_[j];
-        const Vec2 c = b.r - a.r;
         const Vec3 v_a = paths_.drift(i);
         const Vec3 v_b = paths_.drift(j);
         const Real speed = std::max({abs(v_a.x), abs(v_a.y), abs(v_b.x), abs(v_b.y)});
         if constexpr (Set::template kHas<Airborne>) {
-            if (is_in_air(i) || is_in_air(j)) {
-                const Real rise = (b.height - a.height) + (b.radius - a.radius);
-                return touch_and_rest(Vec3{c.x, c.y, rise}, v_b - v_a, a.radius + b.radius,
+            if (is_in_air(i) || is_in_air(j))
+                return touch_and_rest(between_centres(a, b), v_b - v_a, a.radius + b.radius,
                                       std::max({speed, abs(v_a.z), abs(v_b.z)}));
-            }
         }
-        return touch_and_rest(c, xy(v_b) - xy(v_a), contact_distance(a, b), speed);
+        return touch_and_rest(b.r - a.r, xy(v_b) - xy(v_a), contact_distance(a, b), speed);
     }
 
     template <class Vec>
