@@ -2,8 +2,8 @@
 
 #include "shared/game/game_state.hpp"
 #include "shared/game/settings.hpp"
-#include "shared/physics/scene.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <array>
 #include <cstdint>

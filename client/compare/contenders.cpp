@@ -72,8 +72,8 @@ Contest contest(Scene scene, std::span<const SolverSpec> solvers, const ContestR
     for (Contender& contender : contest.contenders) {
         if (contender.refusal) continue;
         const ShotTrace& reference = contest.contenders[*contest.reference].trace;
-        contender.rest_distance = rest_distances(contender.trace, reference);
-        contender.agreement = agreement(reference, contender.trace);
+        contender.rest_distance = analysis::rest_distances(contender.trace, reference);
+        contender.agreement = analysis::agreement(reference, contender.trace);
     }
     return contest;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "client/compare/agreement.hpp"
-#include "shared/physics/scene.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/analysis/agreement.hpp"
+#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -21,7 +21,7 @@ struct Contender {
     double cpu_ns = 0;  ///< CPU time of the shot without samples, the shortest of the repeats
     /// From where the reference has the ball in the end, m; in the scene's order of balls.
     std::vector<double> rest_distance;
-    Agreement agreement;  ///< of its events with the reference's
+    analysis::Agreement agreement;  ///< of its events with the reference's
 };
 
 struct Contest {

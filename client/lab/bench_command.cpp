@@ -6,7 +6,7 @@
 #include "client/lab/build_info.hpp"
 #include "client/lab/corpora.hpp"
 #include "client/lab/long_run.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <optional>
 

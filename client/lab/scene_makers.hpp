@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/lab/random.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/lab/line_reader.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 #include "shared/result.hpp"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "client/lab/status.hpp"
 #include "protocol/result_json.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <istream>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "client/files/output_file.hpp"
 #include "client/replay/report.hpp"
 #include "client/replay/verifier.hpp"
-#include "protocol/replay/archive.hpp"
+#include "protocol/archive/archive.hpp"
 #include "protocol/replay/reader.hpp"
 #include "protocol/text.hpp"
 

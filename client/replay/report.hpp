@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/replay/verifier.hpp"
-#include "protocol/replay/archive.hpp"
+#include "protocol/archive/archive.hpp"
 #include "protocol/replay/record.hpp"
 
 #include <cstdint>

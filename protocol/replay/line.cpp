@@ -1,6 +1,6 @@
 #include "protocol/replay/line.hpp"
 
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 namespace poolhall::protocol {
 

@@ -1,7 +1,7 @@
 #include "protocol/wire/codecs.hpp"
 
 #include "protocol/text.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "protocol/wire/codecs.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <string>
 #include <tuple>

@@ -1,8 +1,8 @@
 #include "server/app/server.hpp"
 
-#include "server/match/rebuild.hpp"
-#include "server/net/connection_services.hpp"
 #include "server/net/listener.hpp"
+#include "server/room/rebuild.hpp"
+#include "server/session/connection_services.hpp"
 
 #include <boost/asio/thread_pool.hpp>
 

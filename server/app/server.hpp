@@ -1,7 +1,7 @@
 #pragma once
 
+#include "server/base/counters.hpp"
 #include "server/config/config.hpp"
-#include "server/room/counters.hpp"
 #include "shared/result.hpp"
 
 #include <memory>

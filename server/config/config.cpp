@@ -1,6 +1,6 @@
 #include "server/config/config.hpp"
 
-#include "server/app/identity.hpp"
+#include "server/base/identity.hpp"
 #include "server/config/toml_file.hpp"
 
 #include <CLI/CLI.hpp>

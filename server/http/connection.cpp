@@ -1,6 +1,6 @@
 #include "server/http/connection.hpp"
 
-#include "server/app/identity.hpp"
+#include "server/base/identity.hpp"
 #include "server/session/session.hpp"
 
 #include <boost/asio/post.hpp>

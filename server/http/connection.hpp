@@ -1,7 +1,7 @@
 #pragma once
 
 #include "server/net/asio.hpp"
-#include "server/net/connection_services.hpp"
+#include "server/session/connection_services.hpp"
 
 namespace poolhall::server {
 

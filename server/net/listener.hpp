@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/net/connection_services.hpp"
+#include "server/session/connection_services.hpp"
 #include "shared/result.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "server/room/room.hpp"
 
-#include "server/app/identity.hpp"
+#include "server/base/identity.hpp"
 
 #include <algorithm>
 #include <spdlog/spdlog.h>

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "server/match/gate.hpp"
-#include "server/match/match.hpp"
+#include "server/base/counters.hpp"
+#include "server/delivery/fan_out.hpp"
+#include "server/delivery/outlet.hpp"
 #include "server/net/loop.hpp"
-#include "server/room/counters.hpp"
-#include "server/room/fan_out.hpp"
-#include "server/room/outlet.hpp"
+#include "server/room/gate.hpp"
+#include "server/room/match.hpp"
 #include "server/store/replay_store.hpp"
 
 #include <array>

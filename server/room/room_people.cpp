@@ -1,6 +1,6 @@
 // Coming and going: who sits at the table, who watches.
-#include "server/app/identity.hpp"
-#include "server/app/log_text.hpp"
+#include "server/base/identity.hpp"
+#include "server/base/log_text.hpp"
 #include "server/room/room.hpp"
 
 #include <spdlog/spdlog.h>

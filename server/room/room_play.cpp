@@ -1,6 +1,6 @@
 // The game: aims, shots and their playout, rematches.
-#include "server/app/cpu_time.hpp"
-#include "server/app/identity.hpp"
+#include "server/base/cpu_time.hpp"
+#include "server/base/identity.hpp"
 #include "server/room/room.hpp"
 #include "shared/physics/simulate.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "protocol/codec.hpp"
 #include "protocol/limits.hpp"
-#include "server/app/identity.hpp"
-#include "server/session/outbox.hpp"
+#include "server/base/identity.hpp"
+#include "server/delivery/outbox.hpp"
 #include "server/session/rate_credit.hpp"
 
 #include <boost/beast/core/flat_buffer.hpp>

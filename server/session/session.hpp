@@ -2,7 +2,7 @@
 
 #include "server/http/handshake.hpp"
 #include "server/net/asio.hpp"
-#include "server/net/connection_services.hpp"
+#include "server/session/connection_services.hpp"
 
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>

@@ -1,4 +1,4 @@
-#include "protocol/replay/database.hpp"
+#include "protocol/archive/database.hpp"
 #include "protocol/replay/reader.hpp"
 #include "server/store/replay_store.hpp"
 

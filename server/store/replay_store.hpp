@@ -1,6 +1,6 @@
 #pragma once
 
-#include "protocol/replay/archive.hpp"
+#include "protocol/archive/archive.hpp"
 #include "protocol/replay/record.hpp"
 #include "server/store/job.hpp"
 #include "shared/result.hpp"

@@ -1,6 +1,6 @@
 #include "server/store/store_database.hpp"
 
-#include "protocol/replay/database.hpp"
+#include "protocol/archive/database.hpp"
 #include "server/store/job_statements.hpp"
 
 #include <SQLiteCpp/Column.h>

@@ -13,7 +13,7 @@
 
 namespace poolhall::server {
 
-/// The writing connection to the tables of protocol/replay/database.hpp. For one thread at a time.
+/// The writing connection to the tables of protocol/archive/database.hpp. For one thread at a time.
 class StoreDatabase {
   public:
     struct Error {

@@ -1,8 +1,8 @@
 #include "shared/aim/prediction.hpp"
 
-#include "shared/physics/effects/ball_ball.hpp"
+#include "shared/physics/contact/ball_ball.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 #include "shared/physics/effects/rails.hpp"
-#include "shared/physics/time_of_impact.hpp"
 
 #include <algorithm>
 #include <limits>

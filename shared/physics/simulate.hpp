@@ -1,8 +1,8 @@
 #pragma once
 
-#include "shared/physics/scene.hpp"
-#include "shared/physics/shot_run.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/scene/trace.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "shared/physics/cloth.hpp"
 #include "shared/physics/effects/kernels.hpp"
-#include "shared/physics/moving_ball.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/motion/cloth.hpp"
+#include "shared/physics/motion/moving_ball.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <algorithm>
 #include <cmath>

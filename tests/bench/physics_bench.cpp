@@ -4,8 +4,8 @@
 #include "client/lab/bench_scenes.hpp"
 #include "client/lab/build_info.hpp"
 #include "shared/game/end_game.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 #include "shared/physics/simulate.hpp"
-#include "shared/physics/time_of_impact.hpp"
 
 #include <benchmark/benchmark.h>
 #include <cmath>

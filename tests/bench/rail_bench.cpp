@@ -1,7 +1,7 @@
 // What an impact on a rail costs, by model.
 
-#include "shared/physics/effects/han_rail.hpp"
-#include "shared/physics/effects/mathavan_rail.hpp"
+#include "shared/physics/contact/han_rail.hpp"
+#include "shared/physics/contact/mathavan_rail.hpp"
 #include "tests/shared/random.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "protocol/messages.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
 // One test a bug of the simulation that was found and mended.
 
-#include "shared/physics/contact.hpp"
-#include "shared/physics/contact_time.hpp"
-#include "shared/physics/time_of_impact.hpp"
+#include "shared/physics/contact/contact.hpp"
+#include "shared/physics/contact/contact_time.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 #include "tests/shared/contacts.hpp"
 #include "tests/shared/scenes.hpp"
 #include "tests/shared/solvers.hpp"

@@ -1,4 +1,4 @@
-#include "server/match/gate.hpp"
+#include "server/room/gate.hpp"
 
 #include "shared/game/end_game.hpp"
 #include "tests/shared/game/pool_settings.hpp"

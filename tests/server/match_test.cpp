@@ -1,4 +1,4 @@
-#include "server/match/match.hpp"
+#include "server/room/match.hpp"
 
 #include "shared/game/end_game.hpp"
 #include "tests/shared/game/pool_settings.hpp"

@@ -1,4 +1,4 @@
-#include "server/session/outbox.hpp"
+#include "server/delivery/outbox.hpp"
 
 #include "server/session/rate_credit.hpp"
 

@@ -1,4 +1,4 @@
-#include "server/match/playout.hpp"
+#include "server/room/playout.hpp"
 
 #include "protocol/codec.hpp"
 #include "protocol/limits.hpp"

@@ -1,4 +1,4 @@
-#include "server/match/rebuild.hpp"
+#include "server/room/rebuild.hpp"
 
 #include "shared/game/end_game.hpp"
 #include "tests/shared/game/pool_settings.hpp"

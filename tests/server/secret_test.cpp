@@ -1,8 +1,8 @@
-#include "server/match/secret.hpp"
+#include "server/base/secret.hpp"
 
 #include "protocol/limits.hpp"
 #include "protocol/text.hpp"
-#include "server/app/log_text.hpp"
+#include "server/base/log_text.hpp"
 
 #include <gtest/gtest.h>
 #include <set>

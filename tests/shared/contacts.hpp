@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/physics/contact.hpp"
+#include "shared/physics/contact/contact.hpp"
 
 #include <vector>
 

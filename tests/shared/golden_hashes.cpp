@@ -2,7 +2,7 @@
 // optimisation level and processor must print.
 
 #include "client/lab/corpora.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <cstdio>
 

@@ -2,10 +2,10 @@
 
 #include "client/desktop/app/audible.hpp"
 #include "client/desktop/app/screenshot.hpp"
-#include "client/desktop/match/practice_match.hpp"
-#include "client/desktop/match/remote_match.hpp"
 #include "client/desktop/net/clock.hpp"
 #include "client/desktop/net/websocket_transport.hpp"
+#include "client/play/practice_match.hpp"
+#include "client/play/remote_match.hpp"
 #include "shared/game/end_game.hpp"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #include "client/desktop/app/window.hpp"
 #include "client/desktop/audio/sounds.hpp"
 #include "client/desktop/net/token_store.hpp"
-#include "client/desktop/net/transport.hpp"
 #include "client/desktop/view/table_view.hpp"
+#include "client/play/transport.hpp"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #include "client/desktop/app/options.hpp"
 
-#include "client/desktop/match/physics_file.hpp"
+#include "client/desktop/app/physics_file.hpp"
 #include "client/desktop/view/table_view.hpp"
 #include "protocol/text.hpp"
 #include "shared/game/end_game.hpp"

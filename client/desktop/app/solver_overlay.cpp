@@ -1,7 +1,7 @@
 #include "client/desktop/app/solver_overlay.hpp"
 
-#include "client/compare/agreement.hpp"
 #include "client/compare/number_text.hpp"
+#include "shared/analysis/agreement.hpp"
 
 #include <array>
 #include <chrono>
@@ -35,7 +35,7 @@ std::string words_of(const SolverSpec& solver) {
 std::string distance_of(const compare::Contest& contest, const compare::Contender& contender) {
     const compare::Contender& reference = contest.contenders[*contest.reference];
     if (&contender == &reference) return "the reference";
-    const bool same = compare::is_same_verdict(reference.trace, contender.trace);
+    const bool same = analysis::is_same_verdict(reference.trace, contender.trace);
     const double distance = compare::farthest_ball(contender)->distance;
     const std::string off = distance < kSeen ? "under " + compare::text_of_distance(kSeen)
                                              : compare::text_of_distance(distance);
@@ -101,8 +101,8 @@ SolverOverlay::Entry SolverOverlay::entry_of(const Scene& scene, const compare::
     }
     entry.view.cost = compare::text_of_cost(contender.cpu_ns);
     entry.view.distance = distance_of(contest, contender);
-    for (compare::Path& path : compare::paths_of(scene, contender.trace)) {
-        auto outline = compare::outline_of(path, kFinest);
+    for (analysis::Path& path : analysis::paths_of(scene, contender.trace)) {
+        auto outline = analysis::outline_of(path, kFinest);
         if (outline.size() < 2 || (outline.size() == 2 && outline[0] == outline[1])) continue;
         entry.view.paths.push_back(std::move(outline));
         entry.paths.push_back(std::move(path));
@@ -116,8 +116,8 @@ std::vector<SolverView> SolverOverlay::view(double t) const {
     for (const std::size_t entrant : kSets[chosen_ - 1]) {
         const Entry& entry = done_.entries[entrant];
         views.push_back(entry.view);
-        for (const compare::Path& path : entry.paths)
-            views.back().balls.push_back(compare::place_at(path, t));
+        for (const analysis::Path& path : entry.paths)
+            views.back().balls.push_back(analysis::place_at(path, t));
     }
     return views;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "client/compare/contenders.hpp"
-#include "client/compare/paths.hpp"
-#include "client/desktop/match/playback.hpp"
-#include "client/desktop/view/view_state.hpp"
+#include "client/play/playback.hpp"
+#include "client/play/view_state.hpp"
+#include "shared/analysis/paths.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -41,8 +41,8 @@ class SolverOverlay {
   private:
     /// One solver's shot, ready to be drawn.
     struct Entry {
-        SolverView view;                   ///< but for its balls
-        std::vector<compare::Path> paths;  ///< of the balls that move, without end
+        SolverView view;                    ///< but for its balls
+        std::vector<analysis::Path> paths;  ///< of the balls that move, without end
     };
 
     struct Entries {

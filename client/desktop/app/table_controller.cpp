@@ -1,7 +1,7 @@
 #include "client/desktop/app/table_controller.hpp"
 
-#include "client/desktop/app/words.hpp"
-#include "client/desktop/match/remote_match.hpp"
+#include "client/play/remote_match.hpp"
+#include "client/play/words.hpp"
 #include "shared/game/end_game.hpp"
 
 #include <cmath>

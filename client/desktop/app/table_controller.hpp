@@ -1,9 +1,9 @@
 #pragma once
 
 #include "client/desktop/app/input.hpp"
-#include "client/desktop/app/overlays.hpp"
-#include "client/desktop/app/shown_table.hpp"
 #include "client/desktop/app/solver_overlay.hpp"
+#include "client/play/overlays.hpp"
+#include "client/play/shown_table.hpp"
 
 #include <string>
 #include <variant>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/desktop/net/server_address.hpp"
-#include "client/desktop/net/transport.hpp"
+#include "client/play/transport.hpp"
 #include "protocol/codec.hpp"
 
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include "client/desktop/render/mesh.hpp"
 #include "client/desktop/view/layout.hpp"
-#include "client/desktop/view/view_state.hpp"
+#include "client/play/view_state.hpp"
 
 // What lies on the cloth beside the balls, as shapes.
 namespace poolhall::client {

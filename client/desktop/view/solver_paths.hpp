@@ -2,7 +2,7 @@
 
 #include "client/desktop/render/text.hpp"
 #include "client/desktop/view/layout.hpp"
-#include "client/desktop/view/view_state.hpp"
+#include "client/play/view_state.hpp"
 
 #include <span>
 

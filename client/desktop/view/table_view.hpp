@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/desktop/view/view_state.hpp"
+#include "client/play/view_state.hpp"
 
 #include <SDL2/SDL.h>
 

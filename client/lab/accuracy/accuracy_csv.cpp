@@ -1,7 +1,7 @@
 #include "client/compare/contenders.hpp"
 #include "client/lab/accuracy/results.hpp"
 #include "client/lab/csv_line.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <iomanip>
 #include <limits>

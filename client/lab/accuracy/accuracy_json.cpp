@@ -1,7 +1,7 @@
 #include "client/compare/contenders.hpp"
 #include "client/lab/accuracy/results.hpp"
 #include "client/lab/result_json.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 namespace poolhall::lab {
 

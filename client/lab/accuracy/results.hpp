@@ -3,7 +3,7 @@
 #include "client/lab/build_info.hpp"
 #include "client/lab/statistics/order_fit.hpp"
 #include "client/lab/statistics/quantiles.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "client/lab/accuracy/results.hpp"
 #include "client/lab/bench_clock.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "client/lab/accuracy/shot_errors.hpp"
 
-#include "client/compare/agreement.hpp"
+#include "shared/analysis/agreement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ double energy_at_start(const Scene& scene, const ShotTrace& trace) {
 
 /// Of the balls of each event that both have, right after it.
 double energy_drift(const Scene& scene, const ShotTrace& reference, const ShotTrace& other,
-                    const compare::Agreement& both) {
+                    const analysis::Agreement& both) {
     double largest = 0;
     for (const auto& [true_place, place] : both.matching) {
         const double off = energy_after(other.events[place], scene.ball.radius) -
@@ -43,14 +43,14 @@ double energy_drift(const Scene& scene, const ShotTrace& reference, const ShotTr
 }
 
 const ShotEvent* first_impact(const ShotTrace& trace) {
-    const auto found = std::find_if(trace.events.begin(), trace.events.end(), compare::is_impact);
+    const auto found = std::find_if(trace.events.begin(), trace.events.end(), analysis::is_impact);
     return found == trace.events.end() ? nullptr : &*found;
 }
 
 std::optional<ImpactErrors> impact_errors(const ShotTrace& reference, const ShotTrace& other) {
     const ShotEvent* const expected = first_impact(reference);
     const ShotEvent* const actual = first_impact(other);
-    if (!expected || !actual || !compare::is_same_event(*expected, *actual)) return std::nullopt;
+    if (!expected || !actual || !analysis::is_same_event(*expected, *actual)) return std::nullopt;
     ImpactErrors errors{std::abs(actual->t - expected->t)};
     for (std::size_t i = 0; i < expected->ball_count; ++i) {
         // The two balls may stand in the other order.
@@ -65,15 +65,15 @@ std::optional<ImpactErrors> impact_errors(const ShotTrace& reference, const Shot
 }  // namespace
 
 ShotErrors errors_of(const Scene& scene, const ShotTrace& reference, const ShotTrace& other) {
-    const compare::Agreement both = compare::agreement(reference, other);
-    const auto [missed, invented] = compare::compare_collisions(reference, other);
+    const analysis::Agreement both = analysis::agreement(reference, other);
+    const auto [missed, invented] = analysis::compare_collisions(reference, other);
     ShotErrors errors;
-    errors.rest = compare::farthest_at_rest(reference, other);
+    errors.rest = analysis::farthest_at_rest(reference, other);
     errors.impact = impact_errors(reference, other);
     errors.energy_drift = energy_drift(scene, reference, other, both);
     errors.matching_events = static_cast<double>(both.matching.size());
     errors.horizon = both.horizon;
-    errors.verdict_flips = !compare::is_same_verdict(reference, other);
+    errors.verdict_flips = !analysis::is_same_verdict(reference, other);
     errors.missed = static_cast<double>(missed);
     errors.invented = static_cast<double>(invented);
     return errors;

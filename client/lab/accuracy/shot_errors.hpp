@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <optional>
 

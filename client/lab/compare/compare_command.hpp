@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/lab/status.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <ostream>
 #include <string>

@@ -1,9 +1,9 @@
 #include "client/lab/compare/comparison_text.hpp"
 
-#include "client/compare/agreement.hpp"
 #include "client/compare/number_text.hpp"
 #include "client/lab/columns.hpp"
 #include "client/lab/scene_source.hpp"
+#include "shared/analysis/agreement.hpp"
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ std::vector<std::string> event_cells(const Scene& scene, const Contender& conten
     for (std::size_t i = 0; i < contender.trace.events.size(); ++i) {
         const ShotEvent& event = contender.trace.events[i];
         cells.push_back((contender.agreement.instead == i ? "* " : "  ") +
-                        formatted("%.9f  ", event.t) + compare::in_words(scene, event));
+                        formatted("%.9f  ", event.t) + analysis::in_words(scene, event));
     }
     return cells;
 }
@@ -40,8 +40,8 @@ std::string difference_of(const Scene& scene, const Contest& contest, const Cont
     const Contender& reference = reference_of(contest);
     if (&contender == &reference) return "the reference: the others are compared with it";
     const std::string difference =
-        compare::first_difference(scene, contender.agreement, reference.trace, contender.trace,
-                                  compare::label(contender.solver));
+        analysis::first_difference(scene, contender.agreement, reference.trace, contender.trace,
+                                   compare::label(contender.solver));
     return difference.empty() ? "the same events" : difference;
 }
 

@@ -1,10 +1,10 @@
 #include "client/lab/compare/picture.hpp"
 
-#include "client/compare/agreement.hpp"
 #include "client/compare/number_text.hpp"
-#include "client/compare/paths.hpp"
 #include "client/lab/compare/table_drawing.hpp"
 #include "client/lab/scene_source.hpp"
+#include "shared/analysis/agreement.hpp"
+#include "shared/analysis/paths.hpp"
 
 #include <algorithm>
 #include <array>
@@ -111,8 +111,8 @@ class Page {
 std::vector<std::vector<Vec2>> outlines_of(const Scene& scene, const Contender& contender) {
     std::vector<std::vector<Vec2>> outlines;
     if (contender.refusal) return outlines;
-    for (const compare::Path& path : compare::paths_of(scene, contender.trace)) {
-        auto outline = compare::outline_of(path, kFinest);
+    for (const analysis::Path& path : analysis::paths_of(scene, contender.trace)) {
+        auto outline = analysis::outline_of(path, kFinest);
         if (outline.size() == 2 && outline[0] == outline[1]) outline.pop_back();
         outlines.push_back(std::move(outline));
     }
@@ -179,7 +179,7 @@ void Page::draw_paths(Drawing& drawing, std::size_t solver) const {
 void Page::draw_ends(Drawing& drawing, std::size_t solver) const {
     const Colour colour = pen(solver).colour;
     const double size = 0.6 * scale_.px_a_metre * scene_.ball.radius;
-    for (const Vec2 r : compare::impacts_of(contest_.contenders[solver].trace))
+    for (const Vec2 r : analysis::impacts_of(contest_.contenders[solver].trace))
         drawing.cross(scale_.at(r), size, {colour, 2});
     for (std::size_t ball = 0; ball < outlines_[solver].size(); ++ball) {
         if (!moved(solver, ball)) continue;
@@ -226,7 +226,7 @@ std::array<std::string, 4> Page::legend_of(const Contender& contender) const {
     const auto farthest = compare::farthest_ball(contender);
     const std::string matching = std::to_string(contender.agreement.matching.size()) + " of " +
                                  std::to_string(reference.trace.events.size());
-    const bool same_verdict = compare::is_same_verdict(reference.trace, contender.trace);
+    const bool same_verdict = analysis::is_same_verdict(reference.trace, contender.trace);
     return {
         label, cost,
         text_of_distance(farthest->distance) + " (" + scene_.balls[farthest->ball.value].id + ")",

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/lab/compare/drawing.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 namespace poolhall::lab {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "client/lab/bench_clock.hpp"
 #include "client/lab/effects/callgrind.hpp"
 #include "client/lab/effects/effects_results.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <string_view>
 #include <vector>

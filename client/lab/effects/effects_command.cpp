@@ -1,6 +1,5 @@
 #include "client/lab/effects/effects_command.hpp"
 
-#include "client/compare/agreement.hpp"
 #include "client/lab/effects/callgrind.hpp"
 #include "client/lab/effects/effect_cases.hpp"
 #include "client/lab/effects/effect_prices.hpp"
@@ -8,6 +7,7 @@
 #include "client/lab/long_run.hpp"
 #include "client/lab/progress.hpp"
 #include "client/lab/result_files.hpp"
+#include "shared/analysis/agreement.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>
@@ -50,8 +50,8 @@ void compare_outcomes(const std::vector<ShotTrace>& present, const std::vector<S
     std::vector<double> changes;
     std::size_t flips = 0;
     for (std::size_t i = 0; i < present.size(); ++i) {
-        changes.push_back(compare::farthest_at_rest(present[i], absent[i]));
-        if (!compare::is_same_verdict(present[i], absent[i])) ++flips;
+        changes.push_back(analysis::farthest_at_rest(present[i], absent[i]));
+        if (!analysis::is_same_verdict(present[i], absent[i])) ++flips;
     }
     row.verdict_flips = static_cast<double>(flips) / static_cast<double>(present.size());
     row.rest_change = *spread_of(std::move(changes));

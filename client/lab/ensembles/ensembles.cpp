@@ -1,8 +1,8 @@
 #include "client/lab/ensembles/ensembles.hpp"
 
-#include "client/compare/agreement.hpp"
 #include "client/lab/bench_scenes.hpp"
 #include "client/lab/scene_makers.hpp"
+#include "shared/analysis/agreement.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/math/state_hash.hpp"
 #include "shared/physics/effects/pocket_circles.hpp"
@@ -201,8 +201,9 @@ std::optional<int> winner_of(const Ensemble& ensemble, const Scene& scene, const
         const auto winner = end_game::rule(state, trace).winner;
         return winner ? std::optional<int>(winner->value) : std::nullopt;
     }
-    const auto ball = ensemble.winner == WinnerRule::kFirstPocketed ? compare::first_pocketed(trace)
-                                                                    : std::nullopt;
+    const auto ball = ensemble.winner == WinnerRule::kFirstPocketed
+                          ? analysis::first_pocketed(trace)
+                          : std::nullopt;
     return ball ? std::optional<int>(ball->value) : std::nullopt;
 }
 

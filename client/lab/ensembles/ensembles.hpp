@@ -1,8 +1,8 @@
 #pragma once
 
 #include "client/lab/random.hpp"
-#include "shared/physics/scene.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <cstddef>
 #include <cstdint>

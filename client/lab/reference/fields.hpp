@@ -1,8 +1,8 @@
 #pragma once
 
 #include "client/lab/reference/simulation_113.hpp"
-#include "shared/physics/scene.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <array>
 #include <concepts>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "shared/physics/scene.hpp"
-#include "shared/physics/trace.hpp"
+#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <memory>
 

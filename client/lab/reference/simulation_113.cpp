@@ -2,8 +2,8 @@
 
 #include "client/lab/reference/fields.hpp"
 #include "shared/physics/effects/kernels.hpp"
-#include "shared/physics/shot_run.hpp"
 #include "shared/physics/solvers/event.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 
 namespace poolhall_reference {
 

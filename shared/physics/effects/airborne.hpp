@@ -1,8 +1,8 @@
 #pragma once
 
 #include "shared/physics/effects/sliding.hpp"
-#include "shared/physics/moving_ball.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/motion/moving_ball.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <algorithm>
 

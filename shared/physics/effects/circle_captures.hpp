@@ -1,7 +1,7 @@
 #pragma once
 
 #include "shared/math/vec2.hpp"
-#include "shared/physics/time_of_impact.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 #include "shared/table/pockets.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "shared/physics/moving_ball.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/motion/moving_ball.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <tuple>
 #include <type_traits>

@@ -1,6 +1,6 @@
 #include "shared/physics/effects/end_game_pockets.hpp"
 
-#include "shared/physics/contact_time.hpp"
+#include "shared/physics/contact/contact_time.hpp"
 
 #include <algorithm>
 #include <array>

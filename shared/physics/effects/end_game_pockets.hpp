@@ -1,7 +1,7 @@
 #pragma once
 
-#include "shared/physics/arc.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/motion/arc.hpp"
+#include "shared/physics/scene/scene.hpp"
 #include "shared/table/pockets.hpp"
 
 namespace poolhall {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "shared/math/elementary.hpp"
-#include "shared/physics/arc.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/motion/arc.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include <algorithm>
 

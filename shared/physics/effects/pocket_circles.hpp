@@ -1,9 +1,9 @@
 #pragma once
 
-#include "shared/physics/box.hpp"
 #include "shared/physics/effects/circle_captures.hpp"
-#include "shared/physics/moving_ball.hpp"
-#include "shared/physics/scene.hpp"
+#include "shared/physics/motion/moving_ball.hpp"
+#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/search/box.hpp"
 #include "shared/table/pockets.hpp"
 
 #include <algorithm>

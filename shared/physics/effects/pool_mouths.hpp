@@ -1,10 +1,10 @@
 #pragma once
 
-#include "shared/physics/box.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 #include "shared/physics/effects/circle_captures.hpp"
-#include "shared/physics/moving_ball.hpp"
-#include "shared/physics/scene.hpp"
-#include "shared/physics/time_of_impact.hpp"
+#include "shared/physics/motion/moving_ball.hpp"
+#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/search/box.hpp"
 #include "shared/table/pockets.hpp"
 #include "shared/table/pool_table.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "shared/physics/arc.hpp"
-#include "shared/physics/contact.hpp"
-#include "shared/physics/shot_run.hpp"
+#include "shared/physics/contact/contact.hpp"
+#include "shared/physics/motion/arc.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "shared/physics/cloth.hpp"
-#include "shared/physics/shot_run.hpp"
+#include "shared/physics/motion/cloth.hpp"
 #include "shared/physics/solvers/impacts.hpp"
 #include "shared/physics/solvers/own_event_search.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 
 #include <algorithm>
 #include <cstdint>

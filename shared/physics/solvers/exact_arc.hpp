@@ -1,12 +1,12 @@
 #pragma once
 
-#include "shared/physics/cloth.hpp"
 #include "shared/physics/effects/airborne.hpp"
 #include "shared/physics/effects/effect_set.hpp"
-#include "shared/physics/shot_run.hpp"
+#include "shared/physics/motion/cloth.hpp"
 #include "shared/physics/solvers/chords.hpp"
 #include "shared/physics/solvers/impacts.hpp"
 #include "shared/physics/solvers/instant_search.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 #include "shared/physics/solvers/ticks.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "shared/physics/cloth.hpp"
 #include "shared/physics/effects/airborne.hpp"
 #include "shared/physics/effects/rails.hpp"
-#include "shared/physics/shot_run.hpp"
+#include "shared/physics/motion/cloth.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 
 #include <vector>
 

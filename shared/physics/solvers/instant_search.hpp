@@ -1,12 +1,12 @@
 #pragma once
 
-#include "shared/physics/contact_time.hpp"
+#include "shared/physics/contact/contact_time.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 #include "shared/physics/effects/airborne.hpp"
 #include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/effects/pool_mouths.hpp"
 #include "shared/physics/effects/rails.hpp"
-#include "shared/physics/shot_run.hpp"
-#include "shared/physics/time_of_impact.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 
 #include <algorithm>
 #include <bit>

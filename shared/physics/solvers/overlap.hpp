@@ -1,12 +1,12 @@
 #pragma once
 
-#include "shared/physics/cloth.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 #include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/effects/pool_mouths.hpp"
 #include "shared/physics/effects/rails.hpp"
-#include "shared/physics/shot_run.hpp"
+#include "shared/physics/motion/cloth.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 #include "shared/physics/solvers/ticks.hpp"
-#include "shared/physics/time_of_impact.hpp"
 
 #include <algorithm>
 #include <optional>

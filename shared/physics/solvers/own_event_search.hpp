@@ -1,14 +1,14 @@
 #pragma once
 
-#include "shared/physics/box.hpp"
-#include "shared/physics/contact_time.hpp"
+#include "shared/physics/contact/contact_time.hpp"
 #include "shared/physics/effects/circle_captures.hpp"
 #include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/effects/end_game_pockets.hpp"
 #include "shared/physics/effects/pocket_circles.hpp"
 #include "shared/physics/effects/pool_mouths.hpp"
 #include "shared/physics/effects/rails.hpp"
-#include "shared/physics/own_event.hpp"
+#include "shared/physics/search/box.hpp"
+#include "shared/physics/search/own_event.hpp"
 
 namespace poolhall {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/physics/shot_run.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shared/physics/free_boxes.hpp"
+#include "shared/physics/search/free_boxes.hpp"
 
 #include <cstddef>
 #include <vector>

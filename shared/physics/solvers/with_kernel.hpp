@@ -1,7 +1,7 @@
 #pragma once
 
 #include "shared/physics/effects/kernels.hpp"
-#include "shared/physics/shot_run.hpp"
+#include "shared/physics/solvers/shot_run.hpp"
 
 #include <cstddef>
 #include <tuple>

@@ -1,6 +1,6 @@
 #include "tests/client/desktop_app/fixtures.hpp"
 
-#include "client/desktop/match/match.hpp"
+#include "client/play/match.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "client/desktop/match/playback.hpp"
-#include "client/desktop/net/transport.hpp"
+#include "client/play/playback.hpp"
+#include "client/play/transport.hpp"
 #include "protocol/messages.hpp"
 #include "shared/game/end_game.hpp"
 

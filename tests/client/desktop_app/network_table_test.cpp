@@ -1,5 +1,5 @@
 #include "client/desktop/app/table_controller.hpp"
-#include "client/desktop/match/remote_match.hpp"
+#include "client/play/remote_match.hpp"
 #include "protocol/limits.hpp"
 #include "tests/client/desktop_app/fixtures.hpp"
 

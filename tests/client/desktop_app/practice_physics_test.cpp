@@ -1,5 +1,5 @@
 #include "client/desktop/app/table_controller.hpp"
-#include "client/desktop/match/practice_match.hpp"
+#include "client/play/practice_match.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
 #include "tests/shared/game/pool_settings.hpp"

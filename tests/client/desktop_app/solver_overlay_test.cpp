@@ -1,8 +1,8 @@
 #include "client/desktop/app/solver_overlay.hpp"
 
 #include "client/desktop/app/table_controller.hpp"
-#include "client/desktop/match/practice_match.hpp"
-#include "client/desktop/match/remote_match.hpp"
+#include "client/play/practice_match.hpp"
+#include "client/play/remote_match.hpp"
 #include "protocol/limits.hpp"
 #include "shared/physics/simulate.hpp"
 #include "tests/client/desktop_app/fixtures.hpp"

@@ -1,6 +1,6 @@
 #include "client/desktop/app/table_controller.hpp"
 
-#include "client/desktop/match/practice_match.hpp"
+#include "client/play/practice_match.hpp"
 #include "tests/client/desktop_app/fixtures.hpp"
 
 #include <cmath>

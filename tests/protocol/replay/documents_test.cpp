@@ -1,4 +1,4 @@
-#include "protocol/replay/database.hpp"
+#include "protocol/archive/database.hpp"
 #include "protocol/replay/line.hpp"
 #include "protocol/replay/reader.hpp"
 

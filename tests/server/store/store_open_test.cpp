@@ -1,4 +1,4 @@
-#include "protocol/replay/database.hpp"
+#include "protocol/archive/database.hpp"
 #include "tests/server/store/store_fixture.hpp"
 
 #include <SQLiteCpp/Database.h>

@@ -1,4 +1,4 @@
-#include "shared/physics/effects/ball_friction.hpp"
+#include "shared/physics/contact/ball_friction.hpp"
 
 #include "tests/shared/random.hpp"
 

@@ -1,4 +1,4 @@
-#include "shared/physics/contact.hpp"
+#include "shared/physics/contact/contact.hpp"
 
 #include "tests/shared/contacts.hpp"
 #include "tests/shared/reference.hpp"

@@ -1,4 +1,4 @@
-#include "shared/physics/cue.hpp"
+#include "shared/physics/motion/cue.hpp"
 
 #include "tests/shared/random.hpp"
 

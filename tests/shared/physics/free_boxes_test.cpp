@@ -1,4 +1,4 @@
-#include "shared/physics/free_boxes.hpp"
+#include "shared/physics/search/free_boxes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // What the event solver passes over is what never meets, and few balls and many are searched alike.
 
-#include "shared/physics/boxes.hpp"
-#include "shared/physics/contact_time.hpp"
+#include "shared/physics/contact/contact_time.hpp"
+#include "shared/physics/search/boxes.hpp"
+#include "shared/physics/search/soonest.hpp"
 #include "shared/physics/simulate.hpp"
-#include "shared/physics/soonest.hpp"
 #include "tests/shared/random.hpp"
 #include "tests/shared/scenes.hpp"
 #include "tests/shared/solvers.hpp"

@@ -1,5 +1,5 @@
-#include "shared/physics/effects/han_rail.hpp"
-#include "shared/physics/effects/mathavan_rail.hpp"
+#include "shared/physics/contact/han_rail.hpp"
+#include "shared/physics/contact/mathavan_rail.hpp"
 #include "tests/shared/random.hpp"
 #include "tests/shared/reference.hpp"
 

@@ -1,4 +1,4 @@
-#include "shared/physics/scene.hpp"
+#include "shared/physics/scene/scene.hpp"
 
 #include "tests/shared/scenes.hpp"
 

@@ -1,7 +1,7 @@
 // What the event solver finds is what the ticks of exact_arc come to as they grow shorter. Where a
 // solver has a rule of its own for some rare contact, the difference stays.
 
-#include "client/compare/agreement.hpp"
+#include "shared/analysis/agreement.hpp"
 #include "tests/shared/random.hpp"
 #include "tests/shared/scenes.hpp"
 #include "tests/shared/solvers.hpp"
@@ -76,8 +76,8 @@ TEST_P(SolversAgree, OnRandomShotsOfAFewBalls) {
         for (const double hz : {1920.0, 7680.0, 30720.0}) {
             scene.solver = {SolverKind::kExactArc, hz};
             const ShotTrace by_ticks = simulate(scene);
-            same_verdict = compare::is_same_verdict(by_events, by_ticks);
-            apart = compare::farthest_at_rest(by_events, by_ticks);
+            same_verdict = analysis::is_same_verdict(by_events, by_ticks);
+            apart = analysis::farthest_at_rest(by_events, by_ticks);
             if (same_verdict && apart < 1e-4) break;
         }
         EXPECT_TRUE(same_verdict) << "shot " << i;

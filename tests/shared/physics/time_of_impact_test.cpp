@@ -1,4 +1,4 @@
-#include "shared/physics/time_of_impact.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 
 #include "shared/table/ball.hpp"
 #include "tests/shared/quad.hpp"

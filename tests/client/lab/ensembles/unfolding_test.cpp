@@ -1,9 +1,9 @@
 #include "client/lab/ensembles/unfolding.hpp"
 
-#include "client/compare/agreement.hpp"
 #include "client/lab/ensembles/ensembles.hpp"
 #include "client/lab/reference/reference.hpp"
 #include "client/lab/scene_makers.hpp"
+#include "shared/analysis/agreement.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 /// Both traces tell the same, to `tolerance` (s, m and m/s).
 void expect_equal(const ShotTrace& expected, const ShotTrace& actual, double tolerance) {
-    ASSERT_TRUE(compare::agreement(expected, actual).complete());
+    ASSERT_TRUE(analysis::agreement(expected, actual).complete());
     for (std::size_t i = 0; i < expected.events.size(); ++i) {
         EXPECT_NEAR(expected.events[i].t, actual.events[i].t, tolerance);
         EXPECT_LE(norm(expected.events[i].after[0].r - actual.events[i].after[0].r), tolerance);

@@ -6,7 +6,7 @@
 #include "shared/math/double_double.hpp"
 #include "shared/math/elementary.hpp"
 #include "shared/math/vec3.hpp"
-#include "shared/physics/time_of_impact.hpp"
+#include "shared/physics/contact/time_of_impact.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

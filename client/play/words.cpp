@@ -1,0 +1,131 @@
+#include "client/play/words.hpp"
+
+#include "client/play/remote_match.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace poolhall::client {
+namespace {
+
+using protocol::Phase;
+using protocol::TableState;
+
+bool practice(const MatchInfo& info) {
+    return info.link == Link::kOffline;
+}
+
+std::string waiting_hint(const MatchInfo& info, const TableState& table) {
+    const std::string waiting = "Waiting for a second player: code " + shown_code(table.code);
+    return info.seated() ? waiting + ", or press H to play both seats" : waiting;
+}
+
+std::string aiming_hint(const MatchInfo& info, const TableState& table) {
+    const auto& seat = table.seats[table.turn.value];
+    if (!info.mine[table.turn.value]) {
+        return seat.connected ? seat.name + " is aiming"
+                              : seat.name + " has lost the connection; the seat is kept";
+    }
+    const std::string whose = info.hot_seat() ? seat.name + "'s turn: " : "Your turn: ";
+    const std::string place = table.may_place ? "Up and Down place the cue ball, " : "";
+    return whose + place + "Left and Right aim, Space shoots";
+}
+
+std::string rematch_hint(const MatchInfo& info, const TableState& table) {
+    if (!info.seated()) return "The players may play again";
+    if (practice(info)) return "Space starts a new game";
+    for (std::size_t i = 0; i < kSeatCount; ++i) {
+        if (info.mine[i] && !table.seats[i].wants_rematch) return "Space asks for a rematch";
+    }
+    for (std::size_t i = 0; i < kSeatCount; ++i) {
+        if (!info.mine[i]) return "Waiting for " + table.seats[i].name + " to agree to a rematch";
+    }
+    return "";
+}
+
+/// "You", or the name of who sits there; with the seat where both have one name.
+std::string who(Seat seat, const MatchInfo& info, const TableState& table) {
+    if (info.mine[seat.value] && !info.hot_seat()) return "You";
+    const std::string& name = table.seats[seat.value].name;
+    const bool same = table.seats[0].name == table.seats[1].name;
+    return same ? name + (seat.value == 0 ? " (left seat)" : " (right seat)") : name;
+}
+
+std::string title_of(const Ruling& result, const MatchInfo& info, const TableState& table) {
+    const Seat loser = opponent(*result.winner);
+    const bool i_lose = info.mine[loser.value] && !info.hot_seat();
+    if (i_lose) return "You lose";
+    const std::string winner = who(*result.winner, info, table);
+    return winner + (winner == "You" ? " win" : " wins");
+}
+
+std::string subtitle_of(const Ruling& result, const MatchInfo& info, const TableState& table) {
+    if (result.verdict != Verdict::kScratch) return "The 8-ball is down";
+    const std::string shooter = who(result.shooter, info, table);
+    return "Scratch: " + (shooter == "You" ? "you" : shooter) + " sank the cue ball";
+}
+
+}  // namespace
+
+std::string hint(const MatchInfo& info, const ShownTable& shown, bool step_mode) {
+    if (info.link == Link::kLost) return "Space tries again at once";
+    const auto& table = shown.table();
+    if (!table) return info.trouble.empty() ? "" : "Esc leaves";
+    if (!shown.at_rest()) {
+        if (step_mode)
+            return "Step mode: Space advances 1/30 s, F5 adds other solvers, F3 leaves it";
+        if (shown.result() && practice(info)) return "Space starts a new game";
+        return shown.scratched() ? "Scratch: the cue ball is down" : "";
+    }
+    switch (table->phase) {
+        case Phase::kWaiting:
+            return waiting_hint(info, *table);
+        case Phase::kAiming:
+            return aiming_hint(info, *table);
+        case Phase::kPlaying:
+            return "";
+        case Phase::kOver:
+            return rematch_hint(info, *table);
+    }
+    return "";
+}
+
+std::optional<Banner> banner(const MatchInfo& info, const ShownTable& shown) {
+    const auto& table = shown.table();
+    if (info.link == Link::kLost) {
+        return Banner{"Connection lost", info.trouble + "; trying again", Tone::kNeutral};
+    }
+    if (!table) {
+        if (info.trouble.empty()) return Banner{"Connecting", "", Tone::kNeutral};
+        return Banner{"No table", info.trouble, Tone::kNeutral};
+    }
+    const auto result = shown.result();
+    if (!result) return std::nullopt;
+    return Banner{title_of(*result, info, *table), subtitle_of(*result, info, *table),
+                  tone_of(*result, info)};
+}
+
+Tone tone_of(const Ruling& result, const MatchInfo& info) {
+    const Seat loser = opponent(*result.winner);
+    return info.mine[loser.value] && !info.hot_seat() ? Tone::kLost : Tone::kWon;
+}
+
+std::string physics_of(const MatchInfo& info) {
+    if (!info.table) return "";
+    const auto [kind, hz] = info.table->scene.solver;
+    std::string words(name(kind));
+    std::array<char, 32> rate{};
+    std::snprintf(rate.data(), rate.size(), " %g Hz", hz);
+    if (kind != SolverKind::kEvent) words += rate.data();
+    return info.kernel.empty() ? words : words + ", " + info.kernel;
+}
+
+bool has_own_physics(const MatchInfo& info) {
+    const Ruleset* rules = info.table ? find_ruleset(info.table->game) : nullptr;
+    if (rules == nullptr) return false;
+    const Scene own = rules->new_game(Seat{0}).scene;
+    const Scene& played = info.table->scene;
+    return played.effects != own.effects || played.solver != own.solver;
+}
+
+}  // namespace poolhall::client

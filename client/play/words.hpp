@@ -1,0 +1,26 @@
+#pragma once
+
+#include "client/play/shown_table.hpp"
+
+#include <string>
+
+namespace poolhall::client {
+
+/// One line that tells what to do now, or who is at it.
+[[nodiscard]] std::string hint(const MatchInfo& info, const ShownTable& shown, bool step_mode);
+
+/// The large message of the moment: how the game ended, that the connection is lost, why there is
+/// no table.
+[[nodiscard]] std::optional<Banner> banner(const MatchInfo& info, const ShownTable& shown);
+
+/// Whether the result is good news for who sits here. A spectator and a hot seat share the winner's
+/// joy.
+[[nodiscard]] Tone tone_of(const Ruling& result, const MatchInfo& info);
+
+/// "euler 30 Hz, drag_rails_pockets": the solver, and the kernel of the last shot if there was one.
+[[nodiscard]] std::string physics_of(const MatchInfo& info);
+
+/// Whether the match is played with other physics than its game's own.
+[[nodiscard]] bool has_own_physics(const MatchInfo& info);
+
+}  // namespace poolhall::client

@@ -1,0 +1,106 @@
+#include "protocol/archive/database.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Exception.h>
+#include <SQLiteCpp/Transaction.h>
+#include <sqlite3.h>
+
+namespace poolhall::protocol {
+
+namespace {
+
+/// Shot records are larger than what fits well into a WITHOUT ROWID table; with a rowid they are
+/// appended at the end.
+constexpr const char* kTables = R"(
+CREATE TABLE matches (
+    num        INTEGER PRIMARY KEY,
+    id         TEXT    NOT NULL UNIQUE,
+    code       TEXT    NOT NULL,
+    game       TEXT    NOT NULL,
+    shots      INTEGER NOT NULL DEFAULT 0,
+    created_ms INTEGER NOT NULL,
+    closed_ms  INTEGER
+) STRICT;
+CREATE UNIQUE INDEX open_codes ON matches (code) WHERE closed_ms IS NULL;
+CREATE TABLE seats (
+    match      INTEGER NOT NULL REFERENCES matches (num),
+    seat       INTEGER NOT NULL CHECK (seat IN (0, 1)),
+    name       TEXT    NOT NULL,
+    last_name  TEXT    NOT NULL,
+    token_hash TEXT    NOT NULL,
+    PRIMARY KEY (match, seat)
+) WITHOUT ROWID, STRICT;
+CREATE TABLE records (
+    num   INTEGER PRIMARY KEY,
+    match INTEGER NOT NULL REFERENCES matches (num),
+    n     INTEGER NOT NULL,
+    kind  TEXT    NOT NULL,
+    body  TEXT    NOT NULL,
+    sum   TEXT    NOT NULL,
+    UNIQUE (match, n)
+) STRICT;
+)";
+
+int pragma(SQLite::Database& database, const char* query) {
+    return database.execAndGet(query).getInt();
+}
+
+}  // namespace
+
+DatabaseState state_of(SQLite::Database& database) {
+    const int application = pragma(database, "PRAGMA application_id");
+    const int version = pragma(database, "PRAGMA user_version");
+    const int tables = pragma(database, "SELECT count(*) FROM sqlite_schema");
+    if (application == 0 && version == 0 && tables == 0) return DatabaseState::kEmpty;
+    if (application != kApplicationId) return DatabaseState::kForeign;
+    if (version > kDatabaseVersion) return DatabaseState::kNewer;
+    return version == kDatabaseVersion ? DatabaseState::kCurrent : DatabaseState::kForeign;
+}
+
+void create_tables(SQLite::Database& database) {
+    SQLite::Transaction transaction(database);
+    database.exec(kTables);
+    database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
+    database.exec("PRAGMA user_version = " + std::to_string(kDatabaseVersion));
+    transaction.commit();
+}
+
+std::string describe(const std::filesystem::path& path, const SQLite::Exception& error) {
+    const std::string file = path.string();
+    switch (error.getErrorCode()) {
+        case SQLITE_NOTADB:
+            return file + " is not a database";
+        case SQLITE_CORRUPT:
+            return file + " is damaged: " + error.getErrorStr();
+        case SQLITE_CANTOPEN:
+            return file + " cannot be opened";
+        case SQLITE_PERM:
+        case SQLITE_READONLY:
+            return file + " cannot be written";
+        case SQLITE_FULL:
+            return "no space is left for " + file;
+        case SQLITE_IOERR:
+            return file + " cannot be read or written: " + error.what();
+        case SQLITE_BUSY:
+            return file + " is in use by another program";
+        default:
+            return file + ": " + error.what();
+    }
+}
+
+std::string describe(const std::filesystem::path& path, DatabaseState state) {
+    const std::string file = path.string();
+    switch (state) {
+        case DatabaseState::kEmpty:
+            return file + " is empty";
+        case DatabaseState::kNewer:
+            return file + " was written by a newer version of Poolhall";
+        case DatabaseState::kForeign:
+            return file + " is not a Poolhall replay store";
+        case DatabaseState::kCurrent:
+            break;
+    }
+    return file + " is in order";
+}
+
+}  // namespace poolhall::protocol
