@@ -1,7 +1,9 @@
 #pragma once
 
 #include "shared/game/game_state.hpp"
-#include "shared/game/settings.hpp"
+#include "shared/game/legal.hpp"
+#include "shared/game/move.hpp"
+#include "shared/match/settings.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/physics/scene/trace.hpp"
 
@@ -30,7 +32,7 @@ struct CreateMatch {
     std::string name;
     std::string game = "end_game";
     Stream stream = Stream::kStates;
-    std::optional<GameSettings> settings{};  ///< absent or empty: the game's own physics
+    std::optional<MatchSettings> settings{};  ///< absent or empty: the game's own
 
     friend bool operator==(const CreateMatch&, const CreateMatch&) = default;
 };
@@ -79,36 +81,23 @@ struct LeaveSeat {
     friend bool operator==(const LeaveSeat&, const LeaveSeat&) = default;
 };
 
+/// Plays a move of the game.
+struct MakeMove {
+    static constexpr std::string_view kType = "move";
+    Seat seat;
+    Move move;
+
+    friend bool operator==(const MakeMove&, const MakeMove&) = default;
+};
+
+/// What a player is about to do, for the others to see. It decides nothing.
 struct Aim {
     static constexpr std::string_view kType = "aim";
     Seat seat;
     Vec2 direction;
+    std::optional<Vec2> cue{};  ///< where the cue ball in hand is held, m
 
     friend bool operator==(const Aim&, const Aim&) = default;
-};
-
-struct PlaceCueBall {
-    static constexpr std::string_view kType = "place_cue_ball";
-    Seat seat;
-    Vec2 position;  ///< m
-
-    friend bool operator==(const PlaceCueBall&, const PlaceCueBall&) = default;
-};
-
-struct Shoot {
-    static constexpr std::string_view kType = "shoot";
-    Seat seat;
-    Vec2 direction;
-
-    friend bool operator==(const Shoot&, const Shoot&) = default;
-};
-
-/// A vote for another game with the sides changed; it starts when both seats have voted.
-struct Rematch {
-    static constexpr std::string_view kType = "rematch";
-    Seat seat;
-
-    friend bool operator==(const Rematch&, const Rematch&) = default;
 };
 
 /// Leaves the match: seats become open, the session can create or join another.
@@ -124,8 +113,14 @@ struct Ping {
     friend bool operator==(const Ping&, const Ping&) = default;
 };
 
-using ClientBody = std::variant<CreateMatch, JoinMatch, WatchMatch, Resume, TakeSeat, LeaveSeat,
-                                Aim, PlaceCueBall, Shoot, Rematch, Leave, Ping>;
+// By who answers them: the lobby, or the match about its seats, its game, its talk; the session
+// itself answers a ping.
+using EntryCommand = std::variant<CreateMatch, JoinMatch, WatchMatch, Resume>;
+using SeatCommand = std::variant<TakeSeat, LeaveSeat, Leave>;
+using TurnCommand = std::variant<MakeMove>;
+using TableTalk = std::variant<Aim>;
+
+using ClientBody = std::variant<EntryCommand, SeatCommand, TurnCommand, TableTalk, Ping>;
 
 struct ClientMessage {
     std::uint32_t seq = 0;  ///< 1 or more, rising within a connection
@@ -154,7 +149,7 @@ enum class RejectCode : std::uint8_t {
     kSeatTaken,
     kNotYourTurn,
     kWrongPhase,  ///< the match is waiting, playing out a shot, or over
-    kIllegal,     ///< the rules refuse it (cue ball not placeable there, zero direction)
+    kIllegal,     ///< the rules refuse it (no such move now, out of bounds)
     kServerFull,  ///< no more matches
     kShuttingDown,
     kStorage,  ///< the shot could not be made durable; nothing happened
@@ -190,19 +185,21 @@ struct LiveShot {
 struct TableState {
     std::string match;  ///< id, also of its replay
     std::string code;
-    std::string game;  ///< ruleset
+    std::string game;                         ///< ruleset
+    std::optional<MatchSettings> settings{};  ///< absent: the game's own
     Phase phase = Phase::kWaiting;
     std::uint32_t game_number = 1;
     std::uint32_t shot = 0;  ///< shots taken in the match
-    Seat turn;
-    bool may_place = false;  ///< the cue ball may be moved now
     std::array<SeatInfo, kSeatCount> seats;
     std::uint32_t spectators = 0;
-    Vec2 aim;     ///< the direction shown now
-    Scene scene;  ///< balls at rest: before the running shot, if one runs
-    BallIndex cue_ball;
-    std::optional<Ruling> ruling;  ///< of the last shot of this game
-    std::optional<LiveShot> live;  ///< while phase is kPlaying
+    GameState state;                             ///< at rest: before the running shot, if one runs
+    Legal legal;                                 ///< who may do what in that state
+    Vec2 aim;                                    ///< the direction shown now
+    std::optional<Vec2> cue{};                   ///< where the cue ball in hand is held, m
+    std::optional<Ruling> ruling;                ///< of the last turn of this game
+    std::optional<Seat> winner;                  ///< of the race, once it is over
+    std::optional<std::uint32_t> clock_left_ms;  ///< of the turn, where a clock runs
+    std::optional<LiveShot> live;                ///< while phase is kPlaying
 
     friend bool operator==(const TableState&, const TableState&) = default;
 };
@@ -243,7 +240,7 @@ struct Joined {
     friend bool operator==(const Joined&, const Joined&) = default;
 };
 
-/// Whenever seats, phase, turn, placement or the number of spectators change.
+/// Whenever seats, phase, state or the number of spectators change.
 struct TableChanged {
     static constexpr std::string_view kType = "table";
     TableState table;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "shared/game/game_state.hpp"
-#include "shared/game/settings.hpp"
+#include "shared/match/match.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,18 +14,22 @@
 // record's "kind".
 namespace poolhall::protocol {
 
-inline constexpr std::string_view kReplayFormat = "poolhall.replay/1";
+inline constexpr int kReplayVersion = 2;       ///< that is written
+inline constexpr int kFirstReplayVersion = 1;  ///< the oldest that is read
 /// More event times than this are not kept: a record must fit into a line of a replay file.
 inline constexpr std::size_t kMaxEventTimes = 10000;
 
 /// The first record of a match.
 struct MatchRecord {
     static constexpr std::string_view kKind = "match";
-    std::string match;                       ///< id: 1 to 64 of A-Z a-z 0-9 _ -
-    std::string game;                        ///< ruleset
-    std::string server;                      ///< program and version that wrote it
-    std::int64_t created_ms = 0;             ///< Unix time, ms
-    std::optional<GameSettings> settings{};  ///< absent: every game is played with its own physics
+    int version = kReplayVersion;             ///< of the format: "poolhall.replay/2"
+    std::string match;                        ///< id: 1 to 64 of A-Z a-z 0-9 _ -
+    std::string game;                         ///< ruleset
+    std::string server;                       ///< program and version that wrote it
+    std::int64_t created_ms = 0;              ///< Unix time, ms
+    std::optional<MatchSettings> settings{};  ///< absent: every game is played with its own physics
+    std::optional<Seat>
+        first{};  ///< breaks in the first game; absent in version 1, which has GameRecord
 };
 
 /// A seat was taken or left (empty name).
@@ -36,14 +39,41 @@ struct SeatRecord {
     std::string name;
 };
 
-/// A game begins, its first shot by `first`.
+/// How a shot was simulated, and what shows whether it still gives the same.
+struct ShotEvidence {
+    std::uint32_t shot = 0;     ///< from 1, within the match
+    std::uint32_t edition = 0;  ///< of the physics
+    SolverKind solver = SolverKind::kEuler;
+    std::string kernel;
+    std::uint64_t trace = 0;  ///< hash of the events and the final states
+    double duration = 0;      ///< s
+    std::uint32_t event_count = 0;
+    /// s; the time of each event, so that a divergence can be traced to its first event. Empty if
+    /// not kept.
+    std::vector<double> event_times{};
+};
+
+/// A move, with all that came of it: the next one can be played whatever becomes of the physics.
+struct MoveRecord {
+    static constexpr std::string_view kKind = "move";
+    Seat seat;
+    Move move;
+    GameState state;                   ///< after it
+    std::uint64_t state_hash = 0;      ///< of `state`
+    std::optional<Ruling> ruling;      ///< where it ended a turn
+    std::optional<ShotEvidence> shot;  ///< where it was one
+    std::int64_t at_ms = 0;            ///< Unix time, ms
+};
+
+/// Version 1: a game begins, its first shot by `first`.
 struct GameRecord {
     static constexpr std::string_view kKind = "game";
     std::uint32_t game_number = 1;
     Seat first;
 };
 
-/// A shot, complete: `scene` has its strike, so that it can be simulated again by itself.
+/// Version 1: a shot, complete: `scene` has its strike, so that it can be simulated again by
+/// itself.
 struct ShotRecord {
     static constexpr std::string_view kKind = "shot";
     std::uint32_t shot = 0;  ///< from 1, within the match
@@ -56,10 +86,8 @@ struct ShotRecord {
     double duration = 0;  ///< s
     std::uint32_t event_count = 0;
     Ruling ruling;
-    std::int64_t at_ms = 0;  ///< Unix time, ms
-    /// s; the time of each event, so that a divergence can be traced to its first event. Empty if
-    /// not kept.
-    std::vector<double> event_times{};
+    std::int64_t at_ms = 0;             ///< Unix time, ms
+    std::vector<double> event_times{};  ///< as in ShotEvidence
 };
 
 /// The match was closed; nothing follows.
@@ -69,7 +97,8 @@ struct EndRecord {
     std::int64_t at_ms = 0;
 };
 
-using ReplayRecord = std::variant<MatchRecord, SeatRecord, GameRecord, ShotRecord, EndRecord>;
+using ReplayRecord =
+    std::variant<MatchRecord, SeatRecord, MoveRecord, EndRecord, GameRecord, ShotRecord>;
 
 /// A record and its place in the match: 1, 2, 3, ... without a gap.
 struct NumberedRecord {
@@ -80,8 +109,7 @@ struct NumberedRecord {
 /// The record's kKind.
 [[nodiscard]] std::string_view kind_of(const ReplayRecord& record);
 
-/// The record of a shot that the rules have just played; its numbers within the match and its time
-/// are left at 0.
-[[nodiscard]] ShotRecord shot_record(const ShotOutcome& outcome);
+/// The record of a step of a match.
+[[nodiscard]] MoveRecord move_record(const MatchStep& step);
 
 }  // namespace poolhall::protocol

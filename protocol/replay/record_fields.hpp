@@ -1,6 +1,7 @@
 #pragma once
 
 #include "protocol/replay/record.hpp"
+#include "protocol/wire/game_fields.hpp"
 #include "protocol/wire/scene_fields.hpp"
 #include "protocol/wire/settings_fields.hpp"
 #include "protocol/wire/shot_fields.hpp"
@@ -53,12 +54,36 @@ inline constexpr auto kFields<MatchRecord> = std::tuple{
     field("server", &MatchRecord::server, kShortText),
     field("created_ms", &MatchRecord::created_ms, Count{}),
     field("settings", &MatchRecord::settings),
+    field("first", &MatchRecord::first),
 };
 
 template <>
 inline constexpr auto kFields<SeatRecord> = std::tuple{
     field("seat", &SeatRecord::seat),
     field("name", &SeatRecord::name, PersonName{true}),
+};
+
+template <>
+inline constexpr auto kFields<ShotEvidence> = std::tuple{
+    field("shot", &ShotEvidence::shot, Integer{1}),
+    field("edition", &ShotEvidence::edition, Integer{1}),
+    field("solver", &ShotEvidence::solver),
+    field("kernel", &ShotEvidence::kernel, kShortText),
+    field("trace", &ShotEvidence::trace, Hash{}),
+    field("duration", &ShotEvidence::duration, kSeconds),
+    field("event_count", &ShotEvidence::event_count),
+    field("event_times", &ShotEvidence::event_times, List<Real>{kSeconds, kMaxEventTimes}),
+};
+
+template <>
+inline constexpr auto kFields<MoveRecord> = std::tuple{
+    field("seat", &MoveRecord::seat),
+    field("move", &MoveRecord::move, Tagged{}),
+    field("state", &MoveRecord::state, GameStateCodec{}),
+    field("state_hash", &MoveRecord::state_hash, Hash{}),
+    field("ruling", &MoveRecord::ruling),
+    field("shot", &MoveRecord::shot),
+    field("at_ms", &MoveRecord::at_ms, Count{}),
 };
 
 template <>

@@ -15,19 +15,45 @@ using wire::Json;
 
 constexpr std::size_t kMaxMatchIdBytes = 64;
 
-bool read_format(const Cursor& cursor) {
+constexpr std::string_view kFormatPrefix = "poolhall.replay/";
+
+std::string format_of(int version) {
+    return std::string(kFormatPrefix) + std::to_string(version);
+}
+
+bool read_format(const Cursor& cursor, int& version) {
     const Json* format = cursor.find("format");
     if (format == nullptr) return cursor.refuse_missing("format");
-    if (*format == kReplayFormat) return true;
-    return cursor.refuse_at(
-        "/format", "must be \"" + std::string(kReplayFormat) + "\": this version reads no other");
+    for (version = kFirstReplayVersion; version <= kReplayVersion; ++version) {
+        if (*format == format_of(version)) return true;
+    }
+    return cursor.refuse_at("/format", "must be \"" + format_of(kFirstReplayVersion) + "\" or \"" +
+                                           format_of(kReplayVersion) +
+                                           "\": this program reads no other");
 }
 
 /// What the fields alone do not say.
+bool check_times(const Cursor& cursor, const std::vector<double>& times, std::uint32_t events,
+                 std::string_view pointer) {
+    if (times.empty() || times.size() == events) return true;
+    return cursor.refuse_at(pointer, "must have one time for each event, or none");
+}
+
 bool check_whole(const Cursor& cursor, const ShotRecord& record) {
-    const std::size_t times = record.event_times.size();
-    if (times == 0 || times == record.event_count) return true;
-    return cursor.refuse_at("/event_times", "must have one time for each event, or none");
+    return check_times(cursor, record.event_times, record.event_count, "/event_times");
+}
+
+bool check_whole(const Cursor& cursor, const MoveRecord& record) {
+    if (record.shot.has_value() != std::holds_alternative<Shoot>(record.move))
+        return cursor.refuse_at("/shot", "must be there for a shot and for no other move");
+    return !record.shot || check_times(cursor, record.shot->event_times, record.shot->event_count,
+                                       "/shot/event_times");
+}
+
+bool check_whole(const Cursor& cursor, MatchRecord& record) {
+    if (!read_format(cursor, record.version)) return false;
+    if (record.first.has_value() == (record.version >= 2)) return true;
+    return cursor.refuse_at("/first", "must be there from version 2 on, and not before");
 }
 
 template <class Record>
@@ -38,7 +64,6 @@ bool check_whole(const Cursor& /*cursor*/, const Record& /*record*/) {
 template <class Record>
 bool read_as(const Cursor& cursor, ReplayRecord& record) {
     constexpr bool kHasFormat = std::is_same_v<Record, MatchRecord>;
-    if (kHasFormat && !read_format(cursor)) return false;
     auto& fields = record.emplace<Record>();
     const char* format = kHasFormat ? "format" : "kind";
     return wire::read_fields(cursor, fields, {"n", "kind", format}) && check_whole(cursor, fields);
@@ -74,7 +99,8 @@ bool wire::MatchId::read(const Cursor& cursor, std::string& value) const {
 
 std::string to_text(std::uint64_t n, const ReplayRecord& record) {
     Json object{{"n", n}, {"kind", kind_of(record)}};
-    if (std::holds_alternative<MatchRecord>(record)) object["format"] = kReplayFormat;
+    if (const auto* match = std::get_if<MatchRecord>(&record))
+        object["format"] = format_of(match->version);
     std::visit([&](const auto& fields) { wire::write_fields(object, fields, Encoding::kJson); },
                record);
     return write_tree(object, Encoding::kJson);

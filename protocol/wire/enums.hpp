@@ -24,7 +24,13 @@ inline constexpr RejectCode kLast<RejectCode> = RejectCode::kStorage;
 template <>
 inline constexpr Phase kLast<Phase> = Phase::kOver;
 template <>
-inline constexpr Verdict kLast<Verdict> = Verdict::kScratch;
+inline constexpr Verdict kLast<Verdict> = Verdict::kTimedOut;
+template <>
+inline constexpr Accord kLast<Accord> = Accord::kRematch;
+template <>
+inline constexpr BreakOrder kLast<BreakOrder> = BreakOrder::kLoser;
+template <>
+inline constexpr Turns kLast<Turns> = Turns::kSolo;
 template <>
 inline constexpr EventKind kLast<EventKind> = EventKind::kOffTable;
 template <>

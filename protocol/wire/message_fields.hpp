@@ -1,6 +1,7 @@
 #pragma once
 
 #include "protocol/wire/codecs.hpp"
+#include "protocol/wire/game_fields.hpp"
 #include "protocol/wire/scene_fields.hpp"
 #include "protocol/wire/settings_fields.hpp"
 #include "protocol/wire/shot_fields.hpp"
@@ -52,25 +53,17 @@ template <>
 inline constexpr auto kFields<LeaveSeat> = std::tuple{field("seat", &LeaveSeat::seat)};
 
 template <>
+inline constexpr auto kFields<MakeMove> = std::tuple{
+    field("seat", &MakeMove::seat),
+    field("move", &MakeMove::move, Tagged{}),
+};
+
+template <>
 inline constexpr auto kFields<Aim> = std::tuple{
     field("seat", &Aim::seat),
     field("direction", &Aim::direction, Direction{}),
+    field("cue", &Aim::cue, Vector2{}),
 };
-
-template <>
-inline constexpr auto kFields<PlaceCueBall> = std::tuple{
-    field("seat", &PlaceCueBall::seat),
-    field("position", &PlaceCueBall::position, Vector2{}),
-};
-
-template <>
-inline constexpr auto kFields<Shoot> = std::tuple{
-    field("seat", &Shoot::seat),
-    field("direction", &Shoot::direction, Direction{}),
-};
-
-template <>
-inline constexpr auto kFields<Rematch> = std::tuple{field("seat", &Rematch::seat)};
 
 template <>
 inline constexpr auto kFields<Leave> = std::tuple{};
@@ -101,17 +94,19 @@ inline constexpr auto kFields<TableState> = std::tuple{
     field("match", &TableState::match, Text{1, kMaxLabelBytes}),
     field("code", &TableState::code, JoinCode{}),
     field("game", &TableState::game, Text{1, kMaxGameBytes}),
+    field("settings", &TableState::settings),
     field("phase", &TableState::phase),
     field("game_number", &TableState::game_number),
     field("shot", &TableState::shot),
-    field("turn", &TableState::turn),
-    field("may_place", &TableState::may_place),
     field("seats", &TableState::seats, Array<Object<SeatInfo>>{}),
     field("spectators", &TableState::spectators),
+    field("state", &TableState::state, GameStateCodec{}),
+    field("legal", &TableState::legal),
     field("aim", &TableState::aim, Vector2{kMaxDirectionComponent}),
-    field("scene", &TableState::scene, SceneCodec{}),
-    field("cue_ball", &TableState::cue_ball),
+    field("cue", &TableState::cue, Vector2{}),
     field("ruling", &TableState::ruling),
+    field("winner", &TableState::winner),
+    field("clock_left_ms", &TableState::clock_left_ms),
     field("live", &TableState::live),
 };
 

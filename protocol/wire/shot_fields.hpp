@@ -73,13 +73,4 @@ struct FrameBallCodec {
     [[nodiscard]] Json write(const Frame::Ball& ball, Encoding encoding) const;
 };
 
-template <>
-inline constexpr auto kFields<Ruling> = std::tuple{
-    field("verdict", &Ruling::verdict),
-    field("shooter", &Ruling::shooter),
-    field("next", &Ruling::next),
-    field("winner", &Ruling::winner),
-    field("decided_at", &Ruling::decided_at, Real{0, kAnyMagnitude}),
-};
-
 }  // namespace poolhall::protocol::wire

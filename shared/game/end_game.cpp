@@ -4,17 +4,13 @@
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cassert>
 
 namespace poolhall {
 
 namespace {
 
 using namespace end_game;
-
-/// How far off the base line a requested place may be, m: a client's arithmetic may round
-/// differently.
-constexpr double kBaseLineTolerance = 1e-6;
 
 GameState new_game(Seat first) {
     GameState state;
@@ -28,38 +24,28 @@ GameState new_game(Seat first) {
     return state;
 }
 
-bool placeable(const GameState& state) {
-    return !state.over && state.shots == 0;
+Vec2 cue_ball_of(const GameState& state) {
+    return xy(state.scene.balls[state.cue_ball.value].state.r);
 }
 
-std::optional<Vec2> nearest_placement(const GameState& state, Vec2 position) {
-    if (!placeable(state)) return std::nullopt;
-    const double edge = inset(state.scene.table, state.scene.ball.radius).y;
-    return Vec2{kBaseLineX, std::clamp(position.y, -edge, edge)};
-}
-
-std::optional<Illegal> place_cue_ball(GameState& state, Vec2 position) {
-    if (!placeable(state)) return Illegal::kNotPlaceable;
-    const double edge = inset(state.scene.table, state.scene.ball.radius).y;
-    const bool on_line =
-        std::abs(position.x - kBaseLineX) <= kBaseLineTolerance && std::abs(position.y) <= edge;
-    if (!on_line) return Illegal::kOutOfPlace;
-    set_xy(state.scene.balls[state.cue_ball.value].state.r, {kBaseLineX, position.y});
-    return std::nullopt;
-}
-
-Vec2 default_aim(const GameState& state) {
+/// From the cue ball to the 8-ball.
+Vec2 aim_of(const GameState& state) {
     const auto eight = find_ball(state.scene, kEightBallId);
     if (!eight) return {1, 0};
-    return xy(state.scene.balls[eight->value].state.r) -
-           xy(state.scene.balls[state.cue_ball.value].state.r);
+    return xy(state.scene.balls[eight->value].state.r) - cue_ball_of(state);
 }
 
-std::optional<Illegal> check_shot(const GameState& state, const ShotCommand& command) {
-    if (state.over) return Illegal::kGameOver;
-    const auto [x, y] = command.direction;
-    if (!std::isfinite(x) || !std::isfinite(y) || (x == 0 && y == 0)) return Illegal::kBadDirection;
-    return std::nullopt;
+Legal legal(const GameState& state) {
+    Legal legal;
+    legal.seat = state.turn;
+    legal.aim = aim_of(state);
+    if (state.over) return legal;
+    legal.shoot = StrokeBounds{kShotSpeed, kShotSpeed, kShotSpeed, 0, 0};
+    if (std::get<EndGamePart>(state.part).in_hand) {
+        const double edge = inset(state.scene.table, state.scene.ball.radius).y;
+        legal.place = Region{{kBaseLineX, -edge}, {kBaseLineX, edge}};
+    }
+    return legal;
 }
 
 /// When the ball left the table in this way, if it did.
@@ -112,20 +98,46 @@ void clear_table(Scene& scene, const ShotTrace& trace, BallIndex cue) {
     part_overlapping(scene);
 }
 
-ShotOutcome play(const GameState& state, const ShotCommand& command) {
-    ShotOutcome outcome;
-    outcome.scene = state.scene;
-    outcome.scene.strike = Strike{state.cue_ball, command.direction, kShotSpeed};
-    simulate(outcome.scene, kPlayoutHz, outcome.trace);
-    outcome.ruling = rule(state, outcome.trace);
+Turn shoot(const GameState& state, const Stroke& stroke) {
+    Turn turn;
+    SimulatedShot& shot = turn.shot.emplace();
+    shot.scene = state.scene;
+    shot.scene.strike = Strike{state.cue_ball, stroke.direction, *stroke.speed};
+    simulate(shot.scene, kPlayoutHz, shot.trace);
+    const Ruling ruling = rule(state, shot.trace);
+    turn.ruling = ruling;
 
-    outcome.state = state;
-    outcome.state.shots = state.shots + 1;
-    outcome.state.winner = outcome.ruling.winner;
-    outcome.state.over = outcome.ruling.winner.has_value();
-    if (!outcome.state.over) outcome.state.turn = outcome.ruling.next;
-    clear_table(outcome.state.scene, outcome.trace, state.cue_ball);
-    return outcome;
+    turn.state = state;
+    turn.state.shots = state.shots + 1;
+    turn.state.winner = ruling.winner;
+    turn.state.over = ruling.winner.has_value();
+    turn.state.part = EndGamePart{.in_hand = false};
+    if (!turn.state.over) turn.state.turn = ruling.next;
+    clear_table(turn.state.scene, shot.trace, state.cue_ball);
+    return turn;
+}
+
+Turn place(const GameState& state, Vec2 position) {
+    Turn turn;
+    turn.state = state;
+    set_xy(turn.state.scene.balls[state.cue_ball.value].state.r, position);
+    return turn;
+}
+
+/// The balls stay where they are.
+Turn time_out(const GameState& state) {
+    Turn turn;
+    turn.state = state;
+    turn.state.turn = opponent(state.turn);
+    turn.ruling = Ruling{Verdict::kTimedOut, state.turn, opponent(state.turn), {}, 0};
+    return turn;
+}
+
+Turn play(const GameState& state, const Move& move) {
+    if (const auto* shot = std::get_if<Shoot>(&move)) return shoot(state, shot->strike);
+    if (const auto* placement = std::get_if<Place>(&move)) return place(state, placement->position);
+    assert(std::holds_alternative<TimeOut>(move));
+    return time_out(state);
 }
 
 }  // namespace
@@ -148,7 +160,6 @@ Ruling end_game::rule(const GameState& state, const ShotTrace& trace) {
     return ruling;
 }
 
-constinit const Ruleset kEndGameRules{
-    "end_game", new_game, place_cue_ball, nearest_placement, default_aim, check_shot, play};
+constinit const Ruleset kEndGameRules{EndGamePart::kType, new_game, legal, play};
 
 }  // namespace poolhall

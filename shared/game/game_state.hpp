@@ -1,66 +1,57 @@
 #pragma once
 
+#include "shared/game/end_game_part.hpp"
+#include "shared/game/seat.hpp"
 #include "shared/physics/scene/scene.hpp"
-#include "shared/physics/scene/trace.hpp"
 
-#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <variant>
 
 namespace poolhall {
 
-/// One of the two places at the table: 0 or 1.
-struct Seat {
-    std::uint8_t value = 0;
+/// What each game keeps besides what all have. Alternatives are named by kType, the game's name.
+using GamePart = std::variant<EndGamePart>;
 
-    friend constexpr auto operator<=>(const Seat&, const Seat&) = default;
-};
-
-inline constexpr int kSeatCount = 2;
-
-constexpr Seat opponent(Seat seat) {
-    return Seat{static_cast<std::uint8_t>(1 - seat.value)};
-}
-
-/// A game between shots; everything at rest.
+/// A game between two moves, whole: everything at rest. With the match's settings it is all that
+/// the rules ever look at.
 struct GameState {
     Scene scene;         ///< table, effects, solver and the balls still on the table; no strike
-    BallIndex cue_ball;  ///< in scene.balls, always: after a scratch it is back on the base line
-    Seat turn;           ///< who shoots next; once over, who shot last
-    std::uint32_t shots = 0;  ///< shots taken in this game
+    BallIndex cue_ball;  ///< in scene.balls, always: after a scratch it is back on the table
+    Seat turn;           ///< whose decision is next; once over, whose was the last
+    std::uint32_t shots = 0;  ///< taken in this game
     bool over = false;
     std::optional<Seat> winner;  ///< set when over
+    GamePart part;
 
     friend bool operator==(const GameState&, const GameState&) = default;
 };
 
+/// Hash of the whole state: equal states, and no others but by accident, have equal hashes, on
+/// every machine. What follows from a state follows from any with its hash.
+[[nodiscard]] std::uint64_t hash_of(const GameState& state);
+
+/// What the rules say of a move. Sentences are made where they are shown.
 enum class Verdict : std::uint8_t {
     kTurnPasses,
-    kWon,      ///< the shooter wins
-    kScratch,  ///< the cue ball went down, or over a rail: the shooter loses
+    kWon,       ///< the seat that shot wins
+    kScratch,   ///< the cue ball went down, or over a rail: the seat that shot loses
+    kConceded,  ///< the seat gave the game up
+    kTimedOut,  ///< the seat had used up its time: the turn passes
 };
 
-/// What the rules say of a shot.
 struct Ruling {
     Verdict verdict = Verdict::kTurnPasses;
-    Seat shooter;
-    Seat next;                   ///< who shoots next, if the game goes on
-    std::optional<Seat> winner;  ///< if the shot ended the game
+    Seat shooter;                ///< whose move it was
+    Seat next;                   ///< whose decision is next, if the game goes on
+    std::optional<Seat> winner;  ///< if the move ended the game
     double decided_at = 0;  ///< s into the shot when it became certain; a scratch loses at once
 
     friend bool operator==(const Ruling&, const Ruling&) = default;
 };
 
-/// What a shot did to a game.
-struct ShotOutcome {
-    GameState state;
-    Scene scene;  ///< what was simulated: the state's scene with the strike in it
-    ShotTrace trace;
-    Ruling ruling;
-};
-
-/// "turn_passes", "won", "scratch".
+/// "turn_passes", "won", "scratch", "conceded", "timed_out".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
 }  // namespace poolhall

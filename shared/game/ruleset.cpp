@@ -18,15 +18,13 @@ const Ruleset* find_ruleset(std::string_view name) {
     return nullptr;
 }
 
-std::string_view name(Illegal reason) {
-    constexpr std::array<std::string_view, 4> kNames{"game_over", "not_placeable", "out_of_place",
-                                                     "bad_direction"};
-    return kNames[static_cast<std::size_t>(reason)];
-}
-
-std::string_view name(Verdict verdict) {
-    constexpr std::array<std::string_view, 3> kNames{"turn_passes", "won", "scratch"};
-    return kNames[static_cast<std::size_t>(verdict)];
+Turn concede(const GameState& state, Seat seat) {
+    Turn turn;
+    turn.state = state;
+    turn.state.over = true;
+    turn.state.winner = opponent(seat);
+    turn.ruling = Ruling{Verdict::kConceded, seat, opponent(seat), opponent(seat), 0};
+    return turn;
 }
 
 }  // namespace poolhall

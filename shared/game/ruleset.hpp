@@ -1,6 +1,9 @@
 #pragma once
 
 #include "shared/game/game_state.hpp"
+#include "shared/game/legal.hpp"
+#include "shared/game/move.hpp"
+#include "shared/physics/scene/trace.hpp"
 
 #include <optional>
 #include <span>
@@ -8,17 +11,17 @@
 
 namespace poolhall {
 
-/// What a player may ask of the cue.
-struct ShotCommand {
-    Vec2 direction;  ///< of any length but zero; finite
+/// A shot as it was simulated.
+struct SimulatedShot {
+    Scene scene;  ///< that of the state before it, with the strike
+    ShotTrace trace;
 };
 
-/// Why the rules refuse something.
-enum class Illegal : std::uint8_t {
-    kGameOver,
-    kNotPlaceable,  ///< the cue ball may not be moved now
-    kOutOfPlace,    ///< not a place where it may be put
-    kBadDirection,  ///< zero or not finite
+/// What a move has made of a game.
+struct Turn {
+    GameState state;                    ///< after it, at rest
+    std::optional<Ruling> ruling;       ///< none where the same seat just goes on: a placement
+    std::optional<SimulatedShot> shot;  ///< if the move was one
 };
 
 /// A game's rules as pure functions; nothing here keeps state. One value of this a game.
@@ -26,24 +29,17 @@ struct Ruleset {
     std::string_view name;  ///< "end_game"
     /// With the game's own physics; settings.hpp begins games with others.
     GameState (*new_game)(Seat first);
-    /// Moves the cue ball to `position` (m), where and when the rules allow it.
-    std::optional<Illegal> (*place_cue_ball)(GameState& state, Vec2 position);
-    /// The nearest place to `position` at which the cue ball may be put; nothing if it may not be
-    /// moved now.
-    std::optional<Vec2> (*nearest_placement)(const GameState& state, Vec2 position);
-    /// The direction that the aim takes by itself after each stop (not normalised).
-    Vec2 (*default_aim)(const GameState& state);
-    /// Refuses without a change, or nothing.
-    std::optional<Illegal> (*check_shot)(const GameState& state, const ShotCommand& command);
-    /// Simulates the shot, to rest or to a limit of the scene, and rules on it; the state after it
-    /// is at rest in either case. The command must have passed check_shot.
-    ShotOutcome (*play)(const GameState& state, const ShotCommand& command);
+    Legal (*legal)(const GameState& state);
+    /// The state after the move of the seat whose turn it is. Shots are simulated to rest or to a
+    /// limit of the scene. The move must be one in which find_fault() finds nothing, completed().
+    Turn (*play)(const GameState& state, const Move& move);
 };
 
+/// The list of games.
 [[nodiscard]] std::span<const Ruleset* const> all_rulesets();
 [[nodiscard]] const Ruleset* find_ruleset(std::string_view name);
 
-/// "game_over", "not_placeable", "out_of_place", "bad_direction".
-[[nodiscard]] std::string_view name(Illegal reason);
+/// The seat gives the game up.
+[[nodiscard]] Turn concede(const GameState& state, Seat seat);
 
 }  // namespace poolhall

@@ -1,0 +1,83 @@
+#include "shared/game/legal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace poolhall {
+
+namespace {
+
+/// How far outside the region a place may be, m: a client's arithmetic may round differently.
+constexpr Real kPlaceTolerance = 1e-6;
+
+using MaybeFault = std::optional<IllegalMove>;
+
+bool within(Real x, Real low, Real high) {
+    return x >= low && x <= high;
+}
+
+MaybeFault check_stroke(const StrokeBounds& bounds, const Stroke& stroke) {
+    const auto [x, y] = stroke.direction;
+    if (!std::isfinite(x) || !std::isfinite(y) || (x == 0 && y == 0))
+        return IllegalMove{Illegal::kBadDirection, "/strike/direction"};
+    if (stroke.speed && !within(*stroke.speed, bounds.min_speed, bounds.max_speed))
+        return IllegalMove{Illegal::kOutOfBounds, "/strike/speed"};
+    const Real square = dot(stroke.offset, stroke.offset);
+    if (!within(square, 0, bounds.max_offset * bounds.max_offset))
+        return IllegalMove{Illegal::kOutOfBounds, "/strike/offset"};
+    if (!within(stroke.elevation, 0, bounds.max_elevation))
+        return IllegalMove{Illegal::kOutOfBounds, "/strike/elevation"};
+    return std::nullopt;
+}
+
+struct FaultFinder {
+    const Legal& legal;
+
+    MaybeFault operator()(const Shoot& move) const {
+        if (!legal.shoot) return IllegalMove{Illegal::kNotOffered, ""};
+        return check_stroke(*legal.shoot, move.strike);
+    }
+
+    MaybeFault operator()(const Place& move) const {
+        if (!legal.place) return IllegalMove{Illegal::kNotOffered, ""};
+        const Vec2 off = nearest_place(*legal.place, move.position) - move.position;
+        if (std::abs(off.x) <= kPlaceTolerance && std::abs(off.y) <= kPlaceTolerance)
+            return std::nullopt;
+        return IllegalMove{Illegal::kOutOfRegion, "/position"};
+    }
+
+    /// Whether they may be made is a matter of the match.
+    MaybeFault operator()(const Concede&) const { return std::nullopt; }
+
+    MaybeFault operator()(const Agree&) const { return std::nullopt; }
+
+    MaybeFault operator()(const TimeOut&) const { return std::nullopt; }
+};
+
+}  // namespace
+
+Vec2 nearest_place(const Region& region, Vec2 position) {
+    return {std::clamp(position.x, region.low.x, region.high.x),
+            std::clamp(position.y, region.low.y, region.high.y)};
+}
+
+std::optional<IllegalMove> find_fault(const Legal& legal, const Move& move) {
+    return std::visit(FaultFinder{legal}, move);
+}
+
+Move completed(const Legal& legal, Move move) {
+    if (auto* shoot = std::get_if<Shoot>(&move); shoot && legal.shoot && !shoot->strike.speed)
+        shoot->strike.speed = legal.shoot->own_speed;
+    if (auto* place = std::get_if<Place>(&move); place && legal.place)
+        place->position = nearest_place(*legal.place, place->position);
+    return move;
+}
+
+std::string_view name(Illegal reason) {
+    constexpr std::array<std::string_view, 4> kNames{"not_offered", "out_of_region",
+                                                     "bad_direction", "out_of_bounds"};
+    return kNames[static_cast<std::size_t>(reason)];
+}
+
+}  // namespace poolhall
