@@ -1,6 +1,6 @@
 #include "client/lab/effects/callgrind.hpp"
 
-#include "client/lab/progress.hpp"
+#include "client/lab/run/progress.hpp"
 #include "protocol/scene_json.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "client/lab/compare/comparison_text.hpp"
 
-#include "client/lab/scene_source.hpp"
+#include "client/lab/input/scene_source.hpp"
 #include "protocol/scene_json.hpp"
 
 #include <array>
