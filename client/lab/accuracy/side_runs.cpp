@@ -1,6 +1,6 @@
 #include "client/lab/accuracy/side_runs.hpp"
 
-#include "client/lab/bench/bench_scenes.hpp"
+#include "client/lab/corpora/bench_scenes.hpp"
 #include "client/lab/corpora/scene_makers.hpp"
 #include "shared/physics/simulate.hpp"
 

@@ -1,6 +1,6 @@
 #include "client/lab/bench/bench_rows.hpp"
 
-#include "client/lab/bench/bench_scenes.hpp"
+#include "client/lab/corpora/bench_scenes.hpp"
 #include "client/lab/corpora/random.hpp"
 #include "client/lab/run/bench_clock.hpp"
 #include "shared/physics/simulate.hpp"

@@ -1,6 +1,6 @@
 #include "client/lab/ensembles/ensembles.hpp"
 
-#include "client/lab/bench/bench_scenes.hpp"
+#include "client/lab/corpora/bench_scenes.hpp"
 #include "client/lab/corpora/scene_makers.hpp"
 #include "shared/analysis/agreement.hpp"
 #include "shared/game/end_game.hpp"

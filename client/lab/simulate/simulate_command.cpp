@@ -1,7 +1,7 @@
 #include "client/lab/simulate/simulate_command.hpp"
 
 #include "client/lab/input/scene_source.hpp"
-#include "protocol/scene_json.hpp"
+#include "protocol/codec/scene_json.hpp"
 #include "protocol/wire/scene_fields.hpp"
 #include "shared/physics/simulate.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/lab/run/status.hpp"
-#include "protocol/result_json.hpp"
+#include "protocol/codec/result_json.hpp"
 #include "shared/physics/scene/scene.hpp"
 
 #include <istream>

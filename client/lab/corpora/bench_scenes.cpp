@@ -1,4 +1,4 @@
-#include "client/lab/bench/bench_scenes.hpp"
+#include "client/lab/corpora/bench_scenes.hpp"
 
 #include "client/lab/corpora/scene_makers.hpp"
 
