@@ -44,7 +44,7 @@ struct MatchId {
 
 inline constexpr Text kShortText{1, 64};
 inline constexpr Text kReasonText{0, 256};
-inline constexpr Real kSeconds{0, kAnyMagnitude};
+inline constexpr Number kSeconds{0, kAnyMagnitude};
 
 template <>
 inline constexpr auto kFields<MatchRecord> = std::tuple{
@@ -78,7 +78,7 @@ inline constexpr auto kFields<ShotRecord> = std::tuple{
     field("final_hash", &ShotRecord::final_hash, Hash{}),
     field("duration", &ShotRecord::duration, kSeconds),
     field("event_count", &ShotRecord::event_count),
-    field("event_times", &ShotRecord::event_times, List<Real>{kSeconds, kMaxEventTimes}),
+    field("event_times", &ShotRecord::event_times, List<Number>{kSeconds, kMaxEventTimes}),
     field("ruling", &ShotRecord::ruling),
     field("at_ms", &ShotRecord::at_ms, Count{}),
 };

@@ -6,7 +6,6 @@
 #include <compare>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 namespace poolhall {
 
@@ -41,6 +40,12 @@ enum class Verdict : std::uint8_t {
     kScratch,  ///< the cue ball went down, or over a rail: the shooter loses
 };
 
+constexpr auto enum_names(Verdict /*type*/) {
+    return names_of<Verdict>({{Verdict::kTurnPasses, "turn_passes"},
+                              {Verdict::kWon, "won"},
+                              {Verdict::kScratch, "scratch"}});
+}
+
 /// What the rules say of a shot.
 struct Ruling {
     Verdict verdict = Verdict::kTurnPasses;
@@ -59,8 +64,5 @@ struct ShotOutcome {
     ShotTrace trace;
     Ruling ruling;
 };
-
-/// "turn_passes", "won", "scratch".
-[[nodiscard]] std::string_view name(Verdict verdict);
 
 }  // namespace poolhall

@@ -18,15 +18,4 @@ const Ruleset* find_ruleset(std::string_view name) {
     return nullptr;
 }
 
-std::string_view name(Illegal reason) {
-    constexpr std::array<std::string_view, 4> kNames{"game_over", "not_placeable", "out_of_place",
-                                                     "bad_direction"};
-    return kNames[static_cast<std::size_t>(reason)];
-}
-
-std::string_view name(Verdict verdict) {
-    constexpr std::array<std::string_view, 3> kNames{"turn_passes", "won", "scratch"};
-    return kNames[static_cast<std::size_t>(verdict)];
-}
-
 }  // namespace poolhall

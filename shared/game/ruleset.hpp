@@ -21,6 +21,13 @@ enum class Illegal : std::uint8_t {
     kBadDirection,  ///< zero or not finite
 };
 
+constexpr auto enum_names(Illegal /*type*/) {
+    return names_of<Illegal>({{Illegal::kGameOver, "game_over"},
+                              {Illegal::kNotPlaceable, "not_placeable"},
+                              {Illegal::kOutOfPlace, "out_of_place"},
+                              {Illegal::kBadDirection, "bad_direction"}});
+}
+
 /// A game's rules as pure functions; nothing here keeps state. One value of this a game.
 struct Ruleset {
     std::string_view name;  ///< "end_game"
@@ -42,8 +49,5 @@ struct Ruleset {
 
 [[nodiscard]] std::span<const Ruleset* const> all_rulesets();
 [[nodiscard]] const Ruleset* find_ruleset(std::string_view name);
-
-/// "game_over", "not_placeable", "out_of_place", "bad_direction".
-[[nodiscard]] std::string_view name(Illegal reason);
 
 }  // namespace poolhall

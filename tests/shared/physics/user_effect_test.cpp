@@ -36,8 +36,9 @@ ShotTrace simulate_with(const Scene& scene) {
     Workspace workspace;
     ShotTrace trace;
     ShotRun run(scene, 30, workspace, trace);
+    SteppingMemory memory;
     const Set effects(scene);
-    SteppingSolver<Set, kScheme>(effects, run).solve();
+    SteppingSolver<Set, kScheme>(effects, run, memory).solve();
     return trace;
 }
 
