@@ -1,4 +1,5 @@
-// An effect that is not in the library: shared/physics/effects/README.md takes it as its example.
+// An effect that is not in the library; shared/physics/effects/README.md shows how one gets into
+// it.
 
 #include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/effects/rails.hpp"
