@@ -38,11 +38,13 @@ def validator(name):
 
 CATALOG = samples("catalog")[0]
 MESSAGES = samples("messages", str(ROUNDS))
+# One of each kind, and of `move` one with each kind of move.
+CLIENT_MESSAGES = len(CATALOG["client"]) - 1 + len(CATALOG["moves"])
 
 
 class Schemas(unittest.TestCase):
     def test_are_schemas(self):
-        for name in ("client-message.json", "server-message.json", "scene.json", "result.json"):
+        for name in ("client-message.json", "server-message.json", "game.json", "scene.json", "result.json"):
             jsonschema.Draft202012Validator.check_schema(schema(name))
 
     def test_list_the_messages_of_the_code(self):
@@ -50,11 +52,17 @@ class Schemas(unittest.TestCase):
             listed = [entry["$ref"].rsplit("/", 1)[1] for entry in schema(f"{side}-message.json")["oneOf"]]
             self.assertEqual(listed, list(CATALOG[side]))
 
+    def test_list_the_moves_and_the_games_of_the_code(self):
+        defs = schema("game.json")["$defs"]
+        for kind, listed in (("moves", defs["move"]["oneOf"]), ("games", defs["state"]["properties"]["part"]["oneOf"])):
+            self.assertEqual([entry["$ref"].rsplit("/", 1)[1] for entry in listed], list(CATALOG[kind]))
+
     def test_list_the_fields_of_the_code(self):
         objects = dict(CATALOG["parts"])
         for side in ("client", "server"):
             file = f"{side}-message.json"
             objects[file] = {**objects.get(file, {}), **CATALOG[side]}
+        objects["game.json"] = {**objects["game.json"], **CATALOG["moves"], **CATALOG["games"]}
         for file, parts in objects.items():
             root = schema(file)
             for part, fields in parts.items():
@@ -66,7 +74,7 @@ class Schemas(unittest.TestCase):
 
     def test_accept_what_the_code_sends(self):
         validators = {side: validator(f"{side}-message.json") for side in ("client", "server")}
-        self.assertEqual(len(MESSAGES), ROUNDS * (len(CATALOG["client"]) + len(CATALOG["server"])))
+        self.assertEqual(len(MESSAGES), ROUNDS * (CLIENT_MESSAGES + len(CATALOG["server"])))
         for sample in MESSAGES:
             validators[sample["from"]].validate(sample["message"])
 
@@ -82,7 +90,7 @@ class Schemas(unittest.TestCase):
 
     def test_refuse_what_clients_must_not_send(self):
         check = validator("client-message.json")
-        for sample in MESSAGES[: len(CATALOG["client"])]:
+        for sample in MESSAGES[:CLIENT_MESSAGES]:
             message = sample["message"]
             for field, required in CATALOG["client"][message["type"]].items():
                 if required:
@@ -92,7 +100,34 @@ class Schemas(unittest.TestCase):
                 self.assertFalse(check.is_valid({**message, field: None}), field)
             self.assertFalse(check.is_valid({**message, "extra": 1}))
             self.assertFalse(check.is_valid({**message, "seq": 0}))
-        self.assertFalse(check.is_valid({"type": "shoot", "seq": 1, "seat": 0, "direction": [0, 0]}))
+
+    def test_refuse_moves_that_are_none(self):
+        check = validator("client-message.json")
+
+        def is_valid(move):
+            return check.is_valid({"type": "move", "seq": 1, "seat": 0, "move": move})
+
+        moves = [sample["message"]["move"] for sample in MESSAGES[:CLIENT_MESSAGES] if "move" in sample["message"]]
+        self.assertEqual([move["type"] for move in moves], list(CATALOG["moves"]))
+        for move in moves:
+            self.assertTrue(is_valid(move), move)
+            self.assertFalse(is_valid({**move, "extra": 1}), move)
+            for field in move:
+                spoilt = copy.deepcopy(move)
+                del spoilt[field]
+                self.assertFalse(is_valid(spoilt), spoilt)
+        self.assertTrue(is_valid({"type": "shoot", "strike": {"direction": [1, 0]}}))
+        for strike in ({}, {"direction": [0, 0]}, {"direction": [1, 0], "speed": -1}, {"direction": [1, 0], "spin": 1},
+                       {"direction": [1, 0], "offset": [2, 0]}, {"direction": [1, 0], "elevation": -1}):
+            self.assertFalse(is_valid({"type": "shoot", "strike": strike}), strike)
+        self.assertFalse(is_valid({"type": "dance"}))
+
+    def test_refuse_settings_that_are_none(self):
+        check = validator("client-message.json")
+        for settings, good in (({}, True), ({"race_to": 3, "breaks": "loser", "turns": "solo"}, True),
+                               ({"race": 3}, False), ({"breaks": "first"}, False), ({"shot_clock_s": 7.5}, False)):
+            message = {"type": "create_match", "seq": 1, "name": "Ann", "settings": settings}
+            self.assertEqual(good, check.is_valid(message), settings)
 
 
 class AsyncApi(unittest.TestCase):
