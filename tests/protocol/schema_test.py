@@ -150,7 +150,61 @@ class AsyncApi(unittest.TestCase):
             self.assertIn(name, CATALOG[side])
 
 
+# The objects within messages whose fields have a table of their own, by its heading.
+TABLES = {
+    "Table state": ("server-message.json", "table_state"),
+    "Shot in progress": ("server-message.json", "live_shot"),
+    "Seat": ("server-message.json", "seat_info"),
+    "Event": ("server-message.json", "event"),
+    "Final ball": ("server-message.json", "final_ball"),
+    "Scene": ("scene.json", ""),
+    "Effects": ("scene.json", "effects"),
+    "Settings": ("game.json", "settings"),
+    "State": ("game.json", "state"),
+    "What is legal": ("game.json", "legal"),
+    "Ruling": ("game.json", "ruling"),
+}
+
+
+def names_in_rows(text):
+    """What stands in code in the first cell of each row."""
+    cells = re.findall(r"^\| (`\w+`(?:, `\w+`)*) \|", text, re.M)
+    return [name for cell in cells for name in re.findall(r"`(\w+)`", cell)]
+
+
 class Page(unittest.TestCase):
+    def sections(self):
+        """The text below each heading, up to the next heading of any level."""
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        return dict(re.findall(r"^#+ ([^\n]+)\n(.*?)(?=^#+ |\Z)", page, re.S | re.M))
+
+    def test_has_a_table_with_the_fields_of_each_part(self):
+        sections = self.sections()
+        for heading, (file, part) in TABLES.items():
+            with self.subTest(heading=heading):
+                self.assertEqual(set(names_in_rows(sections[heading])), set(CATALOG["parts"][file][part]))
+
+    def test_has_a_heading_for_each_move_and_a_row_for_each_of_its_fields(self):
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        part = page[page.index("### Moves"): page.index("### State")]
+        sections = dict(re.findall(r"^#### `(\w+)`\n(.*?)(?=^#### |\Z)", part, re.S | re.M))
+        self.assertEqual(list(sections), list(CATALOG["moves"]))
+        stroke = CATALOG["parts"]["game.json"]["stroke"]
+        for move, text in sections.items():
+            fields = set(CATALOG["moves"][move]) - {"type"} | (set(stroke) if move == "shoot" else set())
+            self.assertEqual(set(names_in_rows(text)), fields, move)
+
+    def test_names_the_fields_of_what_is_legal_and_of_each_games_part(self):
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        games = page[page.index("## Games"): page.index("## Reject codes")]
+        parts = CATALOG["parts"]["game.json"]
+        for name in [*parts["region"], *parts["stroke_bounds"]]:
+            self.assertIn(f"`{name}`", games)
+        for game, fields in CATALOG["games"].items():
+            section = games[games.index(f"### `{game}`"):]
+            for name in fields:
+                self.assertIn(name, section)
+
     def test_has_a_heading_for_each_message_and_a_row_for_each_field(self):
         page = (FOLDER / "PROTOCOL.md").read_text()
         for side, end in (("client", "## From the server"), ("server", "## Parts of messages")):
