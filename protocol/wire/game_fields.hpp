@@ -68,6 +68,12 @@ inline constexpr auto kFields<Legal> = std::tuple{
     field("aim", &Legal::aim, Direction{}),
 };
 
+/// What is legal, with bounds that leave something between them.
+struct LegalCodec {
+    [[nodiscard]] bool read(const Cursor& cursor, Legal& legal) const;
+    [[nodiscard]] Json write(const Legal& legal, Encoding encoding) const;
+};
+
 template <>
 inline constexpr auto kFields<Ruling> = std::tuple{
     field("verdict", &Ruling::verdict),

@@ -101,7 +101,7 @@ inline constexpr auto kFields<TableState> = std::tuple{
     field("seats", &TableState::seats, Array<Object<SeatInfo>>{}),
     field("spectators", &TableState::spectators),
     field("state", &TableState::state, GameStateCodec{}),
-    field("legal", &TableState::legal),
+    field("legal", &TableState::legal, LegalCodec{}),
     field("aim", &TableState::aim, Vector2{kMaxDirectionComponent}),
     field("cue", &TableState::cue, Vector2{}),
     field("ruling", &TableState::ruling),

@@ -1,8 +1,8 @@
 // Shows what the code says of the protocol, for tests in other languages.
 //
 //   protocol_samples catalog
-//       {"client": {TYPE: {FIELD: required}}, "server": ..., "parts": ...,
-//        "listed": {PART: {FIELD: {"unit", "default", "minimum", "maximum", ...}}}}
+//       {"client": {TYPE: {FIELD: required}}, "server": ..., "moves": ..., "games": ..., "parts":
+//        ..., "listed": {PART: {FIELD: {"unit", "default", "minimum", "maximum", ...}}}}
 //   protocol_samples leaves
 //       JSON Lines {"pointer": "/strike/speed", "scene": {...}}, one for each number, name and
 //       choice of a scene
@@ -17,17 +17,19 @@
 #include "protocol/wire/message_fields.hpp"
 #include "shared/physics/simulate.hpp"
 #include "tests/protocol/random_messages.hpp"
+#include "tests/protocol/types.hpp"
 #include "tests/shared/scene_leaves.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace poolhall::protocol {
@@ -36,17 +38,11 @@ namespace {
 using wire::Json;
 
 template <class T>
-struct IsOptionalMember : std::false_type {};
-
-template <class Owner, class T>
-struct IsOptionalMember<std::optional<T> Owner::*> : std::true_type {};
-
-template <class T>
 void add_fields(Json& fields) {
     const auto add = [&](const auto& spec) {
-        using Access = std::remove_cvref_t<decltype(spec.access)>;
+        using Member = std::remove_cvref_t<decltype(std::invoke(spec.access, std::declval<T&>()))>;
         fields[spec.name] =
-            spec.presence == wire::Presence::kRequired && !IsOptionalMember<Access>::value;
+            spec.presence == wire::Presence::kRequired && !wire::kIsOptional<Member>;
     };
     std::apply([&](const auto&... specs) { (add(specs), ...); }, wire::kFields<T>);
 }
@@ -58,10 +54,13 @@ Json fields_of(const Json& others = Json::object()) {
     return fields;
 }
 
-template <class... Bodies>
-Json types_of(std::type_identity<std::variant<Bodies...>> /*list*/, const Json& others) {
+/// The fields of each alternative, by its type.
+template <class Variant>
+Json fields_by_type(const Json& others) {
     Json types = Json::object();
-    ((types[Bodies::kType] = fields_of<Bodies>(others)), ...);
+    testing::for_each_alternative(
+        std::type_identity<Variant>{},
+        [&]<class T>(std::type_identity<T>) { types[T::kType] = fields_of<T>(others); });
     return types;
 }
 
@@ -69,13 +68,19 @@ Json types_of(std::type_identity<std::variant<Bodies...>> /*list*/, const Json& 
 Json parts() {
     Json scene = fields_of<Scene>({{"schema", true}});
     scene["strike"] = false;
-    return {{"client-message.json", {{"settings", fields_of<GameSettings>()}}},
+    return {{"game.json",
+             {{"settings", fields_of<MatchSettings>()},
+              {"stroke", fields_of<Stroke>()},
+              {"state", fields_of<GameState>()},
+              {"legal", fields_of<Legal>()},
+              {"region", fields_of<Region>()},
+              {"stroke_bounds", fields_of<StrokeBounds>()},
+              {"ruling", fields_of<Ruling>()}}},
             {"server-message.json",
              {{"table_state", fields_of<TableState>()},
               {"seat_info", fields_of<SeatInfo>()},
               {"live_shot", fields_of<LiveShot>()},
-              {"ruling", fields_of<Ruling>()},
-              {"state", fields_of<BallState>()},
+              {"ball_state", fields_of<BallState>()},
               {"event", fields_of<wire::EventForm>()},
               {"final_ball", fields_of<wire::FinalBallForm>()}}},
             {"scene.json",
@@ -158,11 +163,12 @@ void print_leaves() {
 }
 
 void print_catalog() {
-    const Json catalog{
-        {"client", types_of(std::type_identity<ClientBody>{}, {{"type", true}, {"seq", true}})},
-        {"server", types_of(std::type_identity<ServerMessage>{}, {{"type", true}})},
-        {"parts", parts()},
-        {"listed", listed()}};
+    const Json catalog{{"client", fields_by_type<ClientBody>({{"type", true}, {"seq", true}})},
+                       {"server", fields_by_type<ServerMessage>({{"type", true}})},
+                       {"moves", fields_by_type<Move>({{"type", true}})},
+                       {"games", fields_by_type<GamePart>({{"type", true}})},
+                       {"parts", parts()},
+                       {"listed", listed()}};
     std::cout << catalog.dump() << "\n";
 }
 
