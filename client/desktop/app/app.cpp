@@ -9,6 +9,8 @@
 #include "shared/game/end_game.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace poolhall::client {
 namespace {
@@ -16,9 +18,7 @@ namespace {
 constexpr double kLongestWait = 0.25;     // s between two looks at the clock when nothing happens
 constexpr double kFirstFrame = 1.0 / 60;  // s that the first frame after a wait stands for
 constexpr double kLongestFrame = 0.25;  // s; after a longer hiccup motion goes on from where it was
-constexpr double kUnpacedFrame = 1.0 / 120;  // s of a frame when the display does not set the pace
-constexpr double kShortestFrame =
-    1.0 / 250;  // s of a frame when the display says that it does, and may not
+constexpr double kEarly = 0.0003;  // s that a frame may begin before its time: what waking up takes
 constexpr double kHiddenFrame = 1.0 / 30;  // s
 constexpr double kFrameRateMemory = 0.05;  // weight of the newest frame in the frame rate shown
 
@@ -31,6 +31,10 @@ void wake_window() {
     SDL_Event event{};
     event.type = SDL_USEREVENT;
     SDL_PushEvent(&event);
+}
+
+bool on_keyboard(SDL_Keycode key) {
+    return SDL_GetScancodeFromKey(key) != SDL_SCANCODE_UNKNOWN;
 }
 
 Pacing pacing_of(const Options& options) {
@@ -72,6 +76,7 @@ void App::run() {
 void App::handle_events() {
     SDL_Event event;
     const double patience = std::min(kLongestWait, match_->due_in(clock_now()));
+    if (stale()) await_next_frame();
     bool more = stale() ? SDL_PollEvent(&event) != 0
                         : SDL_WaitEventTimeout(&event, milliseconds(patience)) != 0;
     while (more) {
@@ -97,7 +102,7 @@ void App::handle(const SDL_Event& event) {
             handle_key(event.key);
             break;
         case SDL_KEYUP:
-            input_.key_up(event.key.keysym.sym);
+            input_.key_up(meant(event.key.keysym, on_keyboard));
             break;
         case SDL_MOUSEMOTION:
             if (event.motion.xrel != 0 || event.motion.yrel != 0) {
@@ -137,7 +142,8 @@ void App::handle_window(const SDL_WindowEvent& event) {
 void App::handle_key(const SDL_KeyboardEvent& event) {
     // Keys with Alt or the system's key belong to the desktop.
     if ((event.keysym.mod & (KMOD_ALT | KMOD_GUI)) != 0) return;
-    if (const auto action = input_.key_down(event.keysym.sym, event.repeat != 0)) act(*action);
+    if (const auto action = input_.key_down(meant(event.keysym, on_keyboard), event.repeat != 0))
+        act(*action);
 }
 
 void App::act(Action action) {
@@ -175,9 +181,10 @@ Vec2 App::on_table(int x, int y) const {
 void App::pass_time() {
     const double now = clock_now();
     const double dt = was_busy_ ? std::min(now - time_, kLongestFrame) : kFirstFrame;
-    if (was_busy_) frame_time_ += kFrameRateMemory * (dt - frame_time_);
     time_ = now;
     controller_.update(dt, now, input_.take_steering());
+    // The frame rate that is shown is that of a motion, so the end of one is to be shown too.
+    if (was_busy_ && !busy() && controller_.shows_frame_rate()) redraw_ = true;
     was_busy_ = busy();
 }
 
@@ -198,16 +205,20 @@ void App::draw_if_needed() {
         SDL_Delay(static_cast<Uint32>(milliseconds(kHiddenFrame)));
         return;
     }
-    if (!stale()) return;
+    if (!stale() || next_frame_in() > 0) return;
     drawn_revision_ = controller_.revision();
     redraw_ = false;
     draw();
-    pace();
 }
 
 void App::draw() {
     ViewState state = controller_.view();
-    if (controller_.shows_frame_rate()) state.frames_per_second = 1 / frame_time_;
+    const double start = clock_now();
+    const bool follows = was_moving_ && busy();
+    if (follows) frame_time_ += kFrameRateMemory * (start - drawn_at_ - frame_time_);
+    was_moving_ = busy();
+    drawn_at_ = start;
+    if (controller_.shows_frame_rate()) state.frames_per_second = busy() ? 1 / frame_time_ : 0;
     window_.set_title("Poolhall " +
                       (state.match.link == Link::kOffline ? "practice" : state.match.code));
     view_.draw(state, time_);
@@ -221,10 +232,13 @@ void App::take_screenshot() {
     controller_.show_status(saved.ok() ? "Saved " + saved->string() : saved.error().reason);
 }
 
-void App::pace() {
-    const double shortest = window_.paced_by_display() ? kShortestFrame : kUnpacedFrame;
-    const double left = time_ + shortest - clock_now();
-    if (busy() && left > 0) SDL_Delay(static_cast<Uint32>(milliseconds(left)));
+double App::next_frame_in() const {
+    return drawn_at_ + window_.frame_time() - kEarly - clock_now();
+}
+
+void App::await_next_frame() {
+    const double left = next_frame_in();
+    if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
 }
 
 bool App::stale() const {

@@ -35,7 +35,10 @@ class App {
     void draw_if_needed();
     void draw();
     void take_screenshot();
-    void pace();
+    /// How long it is until a frame may be drawn, s: none is drawn sooner than the display can show
+    /// it, whether or not the renderer waits for that.
+    [[nodiscard]] double next_frame_in() const;
+    void await_next_frame();
     /// The window does not show how things stand.
     [[nodiscard]] bool stale() const;
     /// Something moves: frame follows frame, without waiting for events.
@@ -58,7 +61,9 @@ class App {
     double time_ = 0;        ///< of the last frame, s
     bool was_busy_ = false;  ///< the last frame followed its predecessor without a wait
     std::uint64_t drawn_revision_ = 0;
-    double frame_time_ = 1.0 / 60;  ///< s from one frame to the next, on average
+    double drawn_at_ = 0;           ///< when the last frame was begun, s
+    bool was_moving_ = false;       ///< something moved in it
+    double frame_time_ = 1.0 / 60;  ///< s from one frame of a motion to the next, on average
 };
 
 }  // namespace poolhall::client

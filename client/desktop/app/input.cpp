@@ -46,6 +46,14 @@ constexpr auto kSteering = std::to_array<SteeringKey>({
 
 }  // namespace
 
+SDL_Keycode meant(const SDL_Keysym& key, LayoutHas layout_has) {
+    const bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z;
+    const bool in_place_of_one = key.scancode >= SDL_SCANCODE_A && key.scancode <= SDL_SCANCODE_Z;
+    if (is_letter || !in_place_of_one) return key.sym;
+    const SDL_Keycode letter = SDLK_a + (key.scancode - SDL_SCANCODE_A);
+    return layout_has(letter) ? key.sym : letter;
+}
+
 std::optional<Action> Input::key_down(SDL_Keycode key, bool repeat) {
     if (repeat) return std::nullopt;
     if (Key* steering = steering_key(key)) {

@@ -1,5 +1,6 @@
 #include "client/desktop/app/table_controller.hpp"
 
+#include "client/play/isolated.hpp"
 #include "client/play/remote_match.hpp"
 #include "client/play/words.hpp"
 #include "shared/game/end_game.hpp"
@@ -37,7 +38,7 @@ void TableController::act(Action action) {
             frame_rate_ = !frame_rate_;
             break;
         case Action::kStepMode:
-            step_mode_ = !step_mode_;
+            step_mode_.toggle();
             trail_.clear();
             break;
         case Action::kCollisionMode:
@@ -68,11 +69,15 @@ void TableController::go() {
         help_ = false;
     } else if (match_.info().link == Link::kLost || match_.info().link == Link::kConnecting) {
         match_.retry_now();
-    } else if (step_mode_ && !playback_.idle()) {
+    } else if (step_mode_.on() && !playback_.idle()) {
         take_step();
+        step_mode_.looked(now_, playback_.idle() && !shown_.result());
+    } else if (step_mode_.takes(now_)) {
+        return;
     } else if (shown_.result()) {
         match_.ask_new_game();
-    } else if (shown_.acting_seat()) {
+        step_mode_.looked(now_, false);
+    } else if (acting()) {
         match_.shoot(match_.info().table->aim);
     }
 }
@@ -113,7 +118,7 @@ void TableController::update(double dt, double now, const Steering& steering) {
 }
 
 void TableController::advance(double dt) {
-    if (!playback_.idle() && !step_mode_) {
+    if (!playback_.idle() && !step_mode_.on()) {
         playback_.advance(dt);
         ++revision_;
     }
@@ -134,6 +139,14 @@ void TableController::finish(const Shot& shot) {
     solvers_.follow(shot);
 }
 
+bool TableController::at_end_of_shot() const {
+    return step_mode_.at_end() && playback_.idle();
+}
+
+bool TableController::acting() const {
+    return shown_.acting_seat() && !at_end_of_shot();
+}
+
 void TableController::announce_result() {
     const auto result = shown_.result();
     if (result && !result_announced_)
@@ -145,7 +158,7 @@ void TableController::announce_result() {
 void TableController::pause_before_new_game() {
     // In step mode time stands still, and a game that has ended can be looked at for as long as one
     // likes.
-    if (!practice() || !shown_.result() || step_mode_) {
+    if (!practice() || !shown_.result() || step_mode_.on()) {
         ended_at_.reset();
         return;
     }
@@ -154,7 +167,7 @@ void TableController::pause_before_new_game() {
 }
 
 void TableController::steer(double dt, const Steering& steering) {
-    if (steering.idle() || !shown_.acting_seat()) return;
+    if (steering.idle() || !acting()) return;
     if (steering.slide != 0) place_cue_ball(cue_ball() + Vec2{0, steering.slide * dt});
     if (steering.turn != 0) match_.aim(rotated(match_.info().table->aim, steering.turn * dt));
 }
@@ -168,7 +181,7 @@ void TableController::place_cue_ball(Vec2 position) {
 }
 
 void TableController::pointer_moved(Vec2 r) {
-    if (help_ || !shown_.acting_seat()) return;
+    if (help_ || !acting()) return;
     if (dragging_) {
         place_cue_ball(r);
     } else {
@@ -181,7 +194,12 @@ void TableController::pointer_pressed(Vec2 r) {
         act(Action::kHelp);
         return;
     }
-    if (!shown_.acting_seat()) return;
+    if (at_end_of_shot()) {
+        step_mode_.leave_end();
+        ++revision_;
+        return;
+    }
+    if (!acting()) return;
     const auto& table = *match_.info().table;
     const bool on_cue_ball = norm(r - cue_ball()) <= table.scene.ball.radius;
     dragging_ = on_cue_ball && table.may_place;
@@ -209,7 +227,7 @@ std::vector<Heard> TableController::take_heard() {
 }
 
 bool TableController::animated() const {
-    return frame_rate_ || solvers_.pending() || (!playback_.idle() && !step_mode_);
+    return solvers_.pending() || (!playback_.idle() && !step_mode_.on());
 }
 
 Vec2 TableController::cue_ball() const {
@@ -224,7 +242,7 @@ ViewState TableController::view() const {
     if (const auto& table = shown_.table()) {
         view.table = table->scene.table;
         view.ball_radius = table->scene.ball.radius;
-        if (shown_.acting_seat() && table->may_place) view.base_line_x = cue_ball().x;
+        if (acting() && table->may_place) view.base_line_x = cue_ball().x;
     }
     view.balls = shown_.balls();
     view.aim = aim_view();
@@ -235,8 +253,9 @@ ViewState TableController::view() const {
     view.banner = banner(info, shown_);
     if (frame_rate_ || has_own_physics(info)) view.physics = physics_of(info);
     view.status = status_;
-    view.hint = hint(info, shown_, step_mode_);
-    view.step_mode = step_mode_;
+    view.hint = at_end_of_shot() ? "End of the shot. Space again: back to the table"
+                                 : hint(info, shown_, step_mode_.on());
+    view.step_mode = step_mode_.on();
     view.collision_mode = collision_mode_;
     view.help = help_;
     view.muted = muted_;
@@ -245,7 +264,7 @@ ViewState TableController::view() const {
 
 std::optional<AimView> TableController::aim_view() const {
     const auto& table = shown_.table();
-    if (!table || !shown_.at_rest() || table->phase != protocol::Phase::kAiming)
+    if (!table || !shown_.at_rest() || at_end_of_shot() || table->phase != protocol::Phase::kAiming)
         return std::nullopt;
     if (table->aim == Vec2{}) return std::nullopt;
     return AimView{cue_ball(), table->aim, predict(table->scene, table->cue_ball, table->aim)};
@@ -271,7 +290,7 @@ MatchView TableController::match_view() const {
     if (has_turn) view.turn = table->turn;
     for (std::size_t i = 0; i < kSeatCount; ++i) {
         const auto& seat = table->seats[i];
-        view.seats[i] = {seat.taken ? seat.name : "", seat.connected, info.mine[i],
+        view.seats[i] = {seat.taken ? isolated(seat.name) : "", seat.connected, info.mine[i],
                          seat.wants_rematch, seat.wins};
     }
     return view;

@@ -2,6 +2,7 @@
 
 #include "client/desktop/app/input.hpp"
 #include "client/desktop/app/solver_overlay.hpp"
+#include "client/desktop/app/step_mode.hpp"
 #include "client/play/overlays.hpp"
 #include "client/play/shown_table.hpp"
 
@@ -67,6 +68,10 @@ class TableController {
 
     [[nodiscard]] bool practice() const { return match_.info().link == Link::kOffline; }
 
+    /// The last step of step mode has been taken; the aim comes back when that has been seen.
+    [[nodiscard]] bool at_end_of_shot() const;
+    /// Someone here may aim, place and shoot now.
+    [[nodiscard]] bool acting() const;
     [[nodiscard]] Vec2 cue_ball() const;
     [[nodiscard]] std::optional<AimView> aim_view() const;
     [[nodiscard]] MatchView match_view() const;
@@ -78,11 +83,11 @@ class TableController {
     StepTrail trail_;
     CollisionMarks marks_;
     SolverOverlay solvers_;
+    StepMode step_mode_;
     std::vector<Heard> heard_;
 
     bool help_ = false;
     bool frame_rate_ = false;
-    bool step_mode_ = false;
     bool collision_mode_ = false;
     bool muted_ = false;
     bool dragging_ = false;  ///< the cue ball, by the mouse

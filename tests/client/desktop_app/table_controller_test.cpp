@@ -150,6 +150,95 @@ TEST_F(PracticeTest, StepModeHoldsTimeAndLeavesARingPerMovingBall) {
     EXPECT_EQ(controller_.view().trail.size(), 2U);
 }
 
+/// Steps to the end of a shot, and looks at it.
+class EndOfSteps : public PracticeTest {
+  protected:
+    void SetUp() override {
+        press(SDLK_F3);
+        shoot_and_step({0, 1});
+    }
+
+    void shoot_and_step(Vec2 direction) {
+        aim(direction);
+        press(SDLK_SPACE);
+        ASSERT_FALSE(playback_.idle());
+        while (!playback_.idle())
+            press(SDLK_SPACE);
+        run(0.05);
+    }
+
+    [[nodiscard]] std::uint32_t shots() const { return match_.info().table->shot; }
+};
+
+TEST_F(EndOfSteps, SpaceThatGoesOnBeingPressedNeverShoots) {
+    const std::uint32_t before = shots();
+    for (int i = 0; i < 200; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_EQ(shots(), before);
+    EXPECT_TRUE(playback_.idle());
+}
+
+TEST_F(EndOfSteps, SpaceGoesBackToTheTableAndThenShoots) {
+    EXPECT_NE(controller_.view().hint.find("End of the shot"), std::string::npos);
+    EXPECT_FALSE(controller_.view().aim);
+    run(1);
+    EXPECT_FALSE(controller_.view().aim) << "it stays until it is left";
+    press(SDLK_SPACE);
+    EXPECT_TRUE(playback_.idle());
+    EXPECT_TRUE(controller_.view().aim);
+    EXPECT_NE(controller_.view().hint.find("Space shoots"), std::string::npos);
+    run(1);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
+TEST_F(EndOfSteps, NeitherKeysNorMouseTouchTheNextShot) {
+    run(1);
+    const Vec2 aimed = match_.info().table->aim;
+    hold(SDLK_LEFT, 0.5);
+    controller_.pointer_moved({0.1, 0.1});
+    controller_.pointer_pressed({0.1, 0.1});
+    EXPECT_EQ(match_.info().table->aim, aimed);
+    EXPECT_TRUE(playback_.idle());
+    EXPECT_TRUE(controller_.view().aim) << "the click goes back to the table";
+}
+
+TEST_F(EndOfSteps, LeavingStepModeLeavesItToo) {
+    press(SDLK_F3);
+    EXPECT_TRUE(controller_.view().aim);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
+TEST_F(PracticeTest, SpaceAfterTheLastStepOfAGameStartsNoShotOfTheNext) {
+    press(SDLK_F3);
+    aim(direction_with(Verdict::kScratch));
+    press(SDLK_SPACE);
+    run(0.1);
+    while (!playback_.idle())
+        press(SDLK_SPACE);
+    ASSERT_TRUE(controller_.view().banner);
+    for (int i = 0; i < 10; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_TRUE(controller_.view().banner) << "nobody had the time to read it";
+    run(1);
+    press(SDLK_SPACE);
+    run(0.1);
+    EXPECT_FALSE(controller_.view().banner);
+    for (int i = 0; i < 10; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_TRUE(playback_.idle());
+    run(1);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
 TEST_F(PracticeTest, LeavingStepModeGoesOnAtNormalSpeed) {
     press(SDLK_F3);
     press(SDLK_SPACE);
@@ -240,6 +329,15 @@ TEST_F(PracticeTest, TogglesTurnOnAndOff) {
         EXPECT_EQ(controller_.shows_frame_rate(), on);
         EXPECT_EQ(controller_.view().muted, on);
     }
+}
+
+TEST_F(PracticeTest, FrameRateAtRestNeedsNoFrames) {
+    press(SDLK_F2);
+    run(0.1);
+    EXPECT_FALSE(controller_.animated());
+    press(SDLK_SPACE);
+    run(0.1);
+    EXPECT_TRUE(controller_.animated());
 }
 
 TEST_F(PracticeTest, SpaceClosesTheHelpBeforeItShoots) {
