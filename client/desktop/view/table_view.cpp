@@ -8,10 +8,10 @@
 #include "client/desktop/view/hud.hpp"
 #include "client/desktop/view/overlays.hpp"
 #include "client/desktop/view/panels.hpp"
+#include "client/desktop/view/pocket_holes.hpp"
 #include "client/desktop/view/solver_paths.hpp"
 #include "client/desktop/view/table_art.hpp"
 #include "client/desktop/view/table_painter.hpp"
-#include "shared/table/pockets.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -23,16 +23,14 @@ constexpr float kSunkSize = 0.9F;
 constexpr double kJump = 0.25;  // of the table's length: further in one picture is no rolling
 
 // A sunk ball lies in the middle of the pocket that took it.
-Vec2 resting_place(const Table& table, Vec2 r) {
-    if (table.pockets != PocketModel::kEndGame) return r;
+Vec2 resting_place(const ViewState& state, Vec2 r) {
     Vec2 nearest = r;
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kPocketCount; ++i) {
-        const Vec2 mouth = EndGamePocketMap::mouth(table, static_cast<Pocket>(i));
-        const double distance = norm(mouth - r);
+    for (const PocketHole& hole : pocket_holes(state.table, state.ball_radius)) {
+        const double distance = norm(hole.centre - r);
         if (distance < least) {
             least = distance;
-            nearest = mouth;
+            nearest = hole.centre;
         }
     }
     return nearest;
@@ -69,7 +67,7 @@ void TableView::Parts::draw_cloth_shapes(const ViewState& state) {
 void TableView::Parts::draw_balls(const ViewState& state) {
     for (std::size_t i = 0; i < state.balls.size(); ++i) {
         const BallView& ball = state.balls[i];
-        const Vec2 r = ball.sunk ? resting_place(state.table, ball.r) : ball.r;
+        const Vec2 r = ball.sunk ? resting_place(state, ball.r) : ball.r;
         const Orientation& lie =
             spin.follow(ball.id, r, state.ball_radius, kJump * state.table.length);
         const float radius = ball.sunk ? kSunkSize * layout.ball : layout.ball;
