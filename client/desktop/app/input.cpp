@@ -14,7 +14,6 @@ struct ActionKey {
 
 constexpr auto kActionKeys = std::to_array<ActionKey>({
     {SDLK_ESCAPE, Action::kExit},
-    {SDLK_F1, Action::kHelp},
     {SDLK_F2, Action::kFrameRate},
     {SDLK_F3, Action::kStepMode},
     {SDLK_F4, Action::kCollisionMode},
@@ -46,6 +45,12 @@ constexpr auto kSteering = std::to_array<SteeringKey>({
 
 }  // namespace
 
+std::optional<Action> action_of(SDL_Keycode key) {
+    const auto* found = std::find_if(std::begin(kActionKeys), std::end(kActionKeys),
+                                     [key](const ActionKey& k) { return k.key == key; });
+    return found != std::end(kActionKeys) ? std::optional(found->action) : std::nullopt;
+}
+
 SDL_Keycode meant(const SDL_Keysym& key, LayoutHas layout_has) {
     const bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z;
     const bool in_place_of_one = key.scancode >= SDL_SCANCODE_A && key.scancode <= SDL_SCANCODE_Z;
@@ -60,9 +65,7 @@ std::optional<Action> Input::key_down(SDL_Keycode key, bool repeat) {
         *steering = {true, true};
         return std::nullopt;
     }
-    const auto* found = std::find_if(std::begin(kActionKeys), std::end(kActionKeys),
-                                     [key](const ActionKey& k) { return k.key == key; });
-    return found != std::end(kActionKeys) ? std::optional(found->action) : std::nullopt;
+    return action_of(key);
 }
 
 void Input::key_up(SDL_Keycode key) {

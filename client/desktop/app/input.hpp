@@ -11,7 +11,6 @@ namespace poolhall::client {
 /// What a key asks for at the moment it goes down.
 enum class Action : std::uint8_t {
     kExit,
-    kHelp,
     kFrameRate,
     kStepMode,
     kCollisionMode,
@@ -30,6 +29,9 @@ struct Steering {
 
     [[nodiscard]] bool idle() const { return turn == 0 && slide == 0; }
 };
+
+/// What the key asks for; nothing for those that steer and those that do nothing.
+[[nodiscard]] std::optional<Action> action_of(SDL_Keycode key);
 
 /// Whether the layout in use has a key, in any place.
 using LayoutHas = bool (*)(SDL_Keycode key);

@@ -31,25 +31,16 @@ TableController::TableController(Match& match, Playback& playback)
 void TableController::act(Action action) {
     ++revision_;
     switch (action) {
-        case Action::kHelp:
-            help_ = !help_;
-            break;
-        case Action::kFrameRate:
-            frame_rate_ = !frame_rate_;
-            break;
         case Action::kStepMode:
             step_mode_.toggle();
             trail_.clear();
             break;
         case Action::kCollisionMode:
-            collision_mode_ = !collision_mode_;
+            marks_.toggle();
             break;
         case Action::kSolvers:
             solvers_.cycle();
             show_status(solvers_.description());
-            break;
-        case Action::kMute:
-            muted_ = !muted_;
             break;
         case Action::kHotSeat:
             match_.toggle_hot_seat();
@@ -58,6 +49,8 @@ void TableController::act(Action action) {
             go();
             break;
         case Action::kExit:
+        case Action::kFrameRate:
+        case Action::kMute:
         case Action::kScreenshot:
         case Action::kCopyCode:
             break;
@@ -65,9 +58,7 @@ void TableController::act(Action action) {
 }
 
 void TableController::go() {
-    if (help_) {
-        help_ = false;
-    } else if (match_.info().link == Link::kLost || match_.info().link == Link::kConnecting) {
+    if (match_.info().link == Link::kLost || match_.info().link == Link::kConnecting) {
         match_.retry_now();
     } else if (step_mode_.on() && !playback_.idle()) {
         take_step();
@@ -149,21 +140,18 @@ bool TableController::acting() const {
 
 void TableController::announce_result() {
     const auto result = shown_.result();
-    if (result && !result_announced_)
-        heard_.emplace_back(GameEnded{tone_of(*result, match_.info())});
-    if (result.has_value() != result_announced_) ++revision_;
-    result_announced_ = result.has_value();
+    if (result.has_value() == ended_at_.has_value()) return;
+    if (result) heard_.emplace_back(GameEnded{tone_of(*result, match_.info())});
+    ended_at_ = result ? std::optional(now_) : std::nullopt;
+    ++revision_;
 }
 
 void TableController::pause_before_new_game() {
     // In step mode time stands still, and a game that has ended can be looked at for as long as one
     // likes.
-    if (!practice() || !shown_.result() || step_mode_.on()) {
-        ended_at_.reset();
-        return;
-    }
-    if (!ended_at_) ended_at_ = now_;
-    if (now_ - *ended_at_ >= kNewGamePause) match_.ask_new_game();
+    if (!ended_at_) return;
+    if (step_mode_.on()) ended_at_ = now_;
+    if (practice() && now_ - *ended_at_ >= kNewGamePause) match_.ask_new_game();
 }
 
 void TableController::steer(double dt, const Steering& steering) {
@@ -181,7 +169,7 @@ void TableController::place_cue_ball(Vec2 position) {
 }
 
 void TableController::pointer_moved(Vec2 r) {
-    if (help_ || !acting()) return;
+    if (!acting()) return;
     if (dragging_) {
         place_cue_ball(r);
     } else {
@@ -190,10 +178,6 @@ void TableController::pointer_moved(Vec2 r) {
 }
 
 void TableController::pointer_pressed(Vec2 r) {
-    if (help_) {
-        act(Action::kHelp);
-        return;
-    }
     if (at_end_of_shot()) {
         step_mode_.leave_end();
         ++revision_;
@@ -235,7 +219,7 @@ Vec2 TableController::cue_ball() const {
     return xy(table.scene.balls[table.cue_ball.value].state.r);
 }
 
-ViewState TableController::view() const {
+ViewState TableController::view(std::optional<double> frames_per_second) const {
     const MatchInfo& info = match_.info();
     ViewState view;
     view.table = {end_game::kLength, end_game::kWidth, true, PocketModel::kEndGame};
@@ -247,18 +231,17 @@ ViewState TableController::view() const {
     view.balls = shown_.balls();
     view.aim = aim_view();
     view.trail = trail_.rings();
-    if (collision_mode_) view.marks = marks_.marks();
+    if (marks_.shown()) view.marks = marks_.marks();
     view.solvers = solver_views();
     view.match = match_view();
     view.banner = banner(info, shown_);
-    if (frame_rate_ || has_own_physics(info)) view.physics = physics_of(info);
+    view.frames_per_second = frames_per_second;
+    if (frames_per_second || has_own_physics(info)) view.physics = physics_of(info);
     view.status = status_;
     view.hint = at_end_of_shot() ? "End of the shot. Space again: back to the table"
                                  : hint(info, shown_, step_mode_.on());
     view.step_mode = step_mode_.on();
-    view.collision_mode = collision_mode_;
-    view.help = help_;
-    view.muted = muted_;
+    view.collision_mode = marks_.shown();
     return view;
 }
 

@@ -1,6 +1,6 @@
 #include "client/desktop/app/window.hpp"
 
-#include "client/desktop/view/table_view.hpp"
+#include "client/desktop/view/layout.hpp"
 
 namespace poolhall::client {
 namespace {

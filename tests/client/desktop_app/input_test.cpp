@@ -10,12 +10,11 @@ namespace {
 
 TEST(Input, EveryKeyOfTheTableHasItsAction) {
     const std::pair<SDL_Keycode, Action> keys[] = {
-        {SDLK_ESCAPE, Action::kExit},      {SDLK_F1, Action::kHelp},
-        {SDLK_F2, Action::kFrameRate},     {SDLK_F3, Action::kStepMode},
-        {SDLK_F4, Action::kCollisionMode}, {SDLK_F5, Action::kSolvers},
-        {SDLK_SPACE, Action::kGo},         {SDLK_p, Action::kScreenshot},
-        {SDLK_m, Action::kMute},           {SDLK_h, Action::kHotSeat},
-        {SDLK_c, Action::kCopyCode}};
+        {SDLK_ESCAPE, Action::kExit},  {SDLK_F2, Action::kFrameRate},
+        {SDLK_F3, Action::kStepMode},  {SDLK_F4, Action::kCollisionMode},
+        {SDLK_F5, Action::kSolvers},   {SDLK_SPACE, Action::kGo},
+        {SDLK_p, Action::kScreenshot}, {SDLK_m, Action::kMute},
+        {SDLK_h, Action::kHotSeat},    {SDLK_c, Action::kCopyCode}};
     Input input;
     for (const auto& [key, action] : keys)
         EXPECT_EQ(input.key_down(key, false), action) << key;

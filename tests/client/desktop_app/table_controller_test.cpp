@@ -319,34 +319,6 @@ TEST_F(PracticeTest, WinIsCountedOnceEverythingRests) {
     EXPECT_EQ(announced, 1);
 }
 
-TEST_F(PracticeTest, TogglesTurnOnAndOff) {
-    for (int round = 0; round < 2; ++round) {
-        const bool on = round == 0;
-        press(SDLK_F1);
-        press(SDLK_F2);
-        press(SDLK_m);
-        EXPECT_EQ(controller_.view().help, on);
-        EXPECT_EQ(controller_.shows_frame_rate(), on);
-        EXPECT_EQ(controller_.view().muted, on);
-    }
-}
-
-TEST_F(PracticeTest, FrameRateAtRestNeedsNoFrames) {
-    press(SDLK_F2);
-    run(0.1);
-    EXPECT_FALSE(controller_.animated());
-    press(SDLK_SPACE);
-    run(0.1);
-    EXPECT_TRUE(controller_.animated());
-}
-
-TEST_F(PracticeTest, SpaceClosesTheHelpBeforeItShoots) {
-    press(SDLK_F1);
-    press(SDLK_SPACE);
-    EXPECT_FALSE(controller_.view().help);
-    EXPECT_TRUE(playback_.idle());
-}
-
 TEST_F(PracticeTest, MouseAimsShootsAndDragsTheCueBall) {
     controller_.pointer_moved({end_game::kBaseLineX, 0.2});
     EXPECT_NEAR(aim_angle(), std::acos(0.0), 1e-12);

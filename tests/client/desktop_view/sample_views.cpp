@@ -161,12 +161,6 @@ ViewState named(const std::string& first, const std::string& second) {
     return state;
 }
 
-ViewState help() {
-    ViewState state = aiming();
-    state.help = true;
-    return state;
-}
-
 }  // namespace
 
 ViewState start() {
@@ -212,7 +206,7 @@ std::vector<NamedView> all() {
         {"solvers", solvers()},
         {"won", won()},
         {"lost", lost()},
-        {"help", help()},
+        {"help", aiming(), {1280, 720}, true},
         {"connection-lost", connection_lost()},
         {"waiting", waiting()},
         {"practice", practice()},
@@ -227,10 +221,10 @@ std::vector<NamedView> all() {
         {"names-devanagari-emoji", named("प्रिया शर्मा", "Ann 🎱👩‍🚀🇨🇭")},
     };
     const auto sized = [&views](const std::string& name, ViewState state, SDL_Point size) {
-        views.push_back({name, std::move(state), size});
+        views.push_back({name, std::move(state), size, false});
     };
     sized("tiny", aiming(), {480, 320});
-    sized("tiny-help", help(), {480, 320});
+    views.push_back({"tiny-help", aiming(), {480, 320}, true});
     sized("tiny-lost", lost(), {480, 320});
     sized("tiny-solvers", solvers(), {480, 320});
     sized("wide", collisions(), {1400, 420});

@@ -251,7 +251,7 @@ TEST(TableViewTest, EveryViewCoversTheWholeOutputWhateverItsSize) {
         Picture picture(size);
         for (const samples::NamedView& view : samples::all()) {
             SDL_FillRect(picture.surface(), nullptr, kUntouched);
-            picture.draw(view.state);
+            picture.draw(view);
             int untouched = 0;
             for (int y = 0; y < size.y; ++y) {
                 for (int x = 0; x < size.x; ++x) {
@@ -324,13 +324,9 @@ TEST(TableViewTest, ALostDeviceIsDrawnAnew) {
     Picture lost(size);
     steady.draw(state);
     lost.draw(state);
-    for (const Uint32 type : {SDL_RENDER_DEVICE_RESET, SDL_RENDER_TARGETS_RESET}) {
-        SDL_Event event{};
-        event.type = type;
-        lost.view().handle_event(event);
-        lost.draw(state);
-        EXPECT_EQ(differing(steady, lost, {400, 250}, 400), 0);
-    }
+    lost.reset();
+    lost.draw(state);
+    EXPECT_EQ(differing(steady, lost, {400, 250}, 400), 0);
 }
 
 // A real window of SDL's dummy video driver.
@@ -364,7 +360,8 @@ class InWindow : public testing::Test {
 };
 
 TEST_F(InWindow, ThePictureFollowsTheWindowsSize) {
-    TableView view(renderer);
+    DrawingSurface surface(renderer);
+    TableView view;
     const ViewState state = samples::start();
     double now_s = 0;
     for (const SDL_Point size :
@@ -373,7 +370,9 @@ TEST_F(InWindow, ThePictureFollowsTheWindowsSize) {
         SDL_PumpEvents();
         for (int frame = 0; frame < 3;
              ++frame, now_s += 0.1) {  // while the size settles, and after
-            view.draw(state, now_s);
+            surface.canvas.begin(to_colour(kRoom));
+            view.draw(surface, state, now_s);
+            surface.canvas.finish();
             EXPECT_TRUE(is_green(read(view.to_pixels({0, 0.1})))) << size.x;
             EXPECT_GT(brightness(read(view.to_pixels(state.balls[0].r + Vec2{-0.01, 0.01}))), 500)
                 << size.x;
