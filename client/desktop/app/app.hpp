@@ -22,7 +22,7 @@ class App {
     void run();
 
   private:
-    [[nodiscard]] std::unique_ptr<Match> make_match(const Options& options);
+    [[nodiscard]] std::unique_ptr<ClientMatch> make_match(const Options& options);
     void handle_events();
     void handle(const SDL_Event& event);
     void handle_window(const SDL_WindowEvent& event);
@@ -48,7 +48,7 @@ class App {
     TokenStore tokens_;
     Playback playback_;
     std::unique_ptr<Transport> transport_;
-    std::unique_ptr<Match> match_;
+    std::unique_ptr<ClientMatch> match_;
     TableController controller_;
     Input input_;
 
