@@ -51,6 +51,7 @@ class Stepper {
 
     MatchStep repeat(const MadeMove& made, const Turn& turn) {
         step_.made = made;
+        step_.repeatable = false;
         take(turn);
         return std::move(step_);
     }
@@ -158,6 +159,7 @@ MatchStep Match::recorded(const MadeMove& made, const Turn& turn) const {
 void Match::commit(MatchStep step, std::int64_t at_ms) {
     now_ = std::move(step.after);
     history_.add(step.made, now_);
+    if (!step.repeatable) history_.keep(now_);
     // A ball that is placed, or one seat's consent, gives nobody more time.
     if (step.ruling() || find_event<GameBegan>(step)) start_clock(at_ms);
 }

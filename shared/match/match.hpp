@@ -75,6 +75,7 @@ struct MatchStep {
     MadeMove made;
     std::vector<MatchEvent> events;
     Position after;
+    bool repeatable = true;  ///< false: `after` is from a record, and the move may lead elsewhere
 
     /// The shot of the step, if it was one.
     [[nodiscard]] const ShotTaken* shot() const;
@@ -106,7 +107,7 @@ class Match {
     [[nodiscard]] MatchStep play(Seat seat, const Move& move, std::int64_t at_ms) const;
 
     /// The step of a move that was played elsewhere, with what came of it there: to go on from a
-    /// record that cannot be repeated.
+    /// record that cannot be repeated. at() keeps what was recorded; step() plays the move again.
     [[nodiscard]] MatchStep recorded(const MadeMove& made, const Turn& turn) const;
 
     /// Takes a step that was made of this position. `at_ms`: when everybody has seen it; where it
