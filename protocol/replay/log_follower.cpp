@@ -167,7 +167,7 @@ void LogFollower::go_on_from(const MoveRecord& record, const MatchStep* played) 
     if (played != nullptr && std::holds_alternative<Agree>(record.move)) {
         MatchStep step = *played;
         step.made = made;
-        step.repeatable = false;
+        step.recorded = true;
         step.after.game = record.state;
         step.after.legal = rules_->legal(record.state);
         match_->commit(std::move(step), record.at_ms);

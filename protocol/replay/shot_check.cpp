@@ -1,6 +1,6 @@
 #include "protocol/replay/shot_check.hpp"
 
-#include "protocol/scene_json.hpp"
+#include "protocol/codec/scene_json.hpp"
 #include "protocol/text.hpp"
 #include "protocol/wire/game_fields.hpp"
 #include "shared/physics/simulate.hpp"

@@ -17,6 +17,10 @@ Position begin_game(const MatchSpec& spec, Seat first) {
     return position;
 }
 
+Seat first_of(const MatchSpec& spec) {
+    return spec.settings.turns == Turns::kSolo ? kSoloSeat : spec.first;
+}
+
 Seat first_after(const MatchSettings& settings, const Position& position) {
     if (settings.turns == Turns::kSolo) return kSoloSeat;
     const Seat winner = position.game.winner.value_or(opponent(position.first));
@@ -51,7 +55,7 @@ class Stepper {
 
     MatchStep repeat(const MadeMove& made, const Turn& turn) {
         step_.made = made;
-        step_.repeatable = false;
+        step_.recorded = true;
         take(turn);
         return std::move(step_);
     }
@@ -66,13 +70,19 @@ class Stepper {
             step_.events.emplace_back(ShotTaken{now.shots, *std::move(turn.shot)});
         }
         now.game = std::move(turn.state);
+        if (spec_.settings.turns == Turns::kSolo) keep_turn(turn.ruling);
         if (turn.ruling) {
             now.ruling = turn.ruling;
             step_.events.emplace_back(Ruled{*turn.ruling});
         }
-        if (spec_.settings.turns == Turns::kSolo && !now.game.over) now.game.turn = kSoloSeat;
         now.legal = spec_.rules->legal(now.game);
         if (now.game.over && now.game.winner) win(*now.game.winner);
+    }
+
+    /// Nobody else is there to take the turn.
+    void keep_turn(std::optional<Ruling>& ruling) {
+        if (!step_.after.game.over) step_.after.game.turn = kSoloSeat;
+        if (ruling) ruling->next = kSoloSeat;
     }
 
     void win(Seat winner) {
@@ -102,7 +112,6 @@ class Stepper {
         step_.after = std::move(next);
     }
 
-  private:
     const MatchSpec& spec_;
     MatchStep step_;
 };
@@ -126,7 +135,7 @@ std::optional<Ruling> MatchStep::ruling() const {
 }
 
 Match::Match(const MatchSpec& spec)
-    : spec_(spec), now_(begin_game(spec_, spec_.first)), history_(now_) {}
+    : spec_(spec), now_(begin_game(spec_, first_of(spec_))), history_(now_) {}
 
 std::optional<MoveRefusal> Match::find_fault(Seat seat, const Move& move,
                                              std::int64_t at_ms) const {
@@ -159,7 +168,7 @@ MatchStep Match::recorded(const MadeMove& made, const Turn& turn) const {
 void Match::commit(MatchStep step, std::int64_t at_ms) {
     now_ = std::move(step.after);
     history_.add(step.made, now_);
-    if (!step.repeatable) history_.keep(now_);
+    if (step.recorded) history_.keep(now_);
     // A ball that is placed, or one seat's consent, gives nobody more time.
     if (step.ruling() || find_event<GameBegan>(step)) start_clock(at_ms);
 }
@@ -171,12 +180,12 @@ void Match::reset_seat(Seat seat) {
 }
 
 void Match::start_clock(std::int64_t at_ms) {
-    now_.since_ms = at_ms;
+    clock_since_ms_ = at_ms;
 }
 
 std::optional<std::int64_t> Match::clock_ends_ms() const {
-    if (!spec_.settings.shot_clock_s || now_.game.over) return std::nullopt;
-    return now_.since_ms + std::int64_t{1000} * *spec_.settings.shot_clock_s;
+    if (!spec_.settings.shot_clock_s || !clock_since_ms_ || now_.game.over) return std::nullopt;
+    return *clock_since_ms_ + std::int64_t{1000} * *spec_.settings.shot_clock_s;
 }
 
 Seat Match::next_first() const {

@@ -15,7 +15,7 @@ namespace poolhall {
 
 struct MatchSpec {
     const Ruleset* rules = nullptr;
-    Seat first;                ///< breaks in the first game
+    Seat first;                ///< breaks in the first game; seat 0 where the turns are solo
     MatchSettings settings{};  ///< must have passed the rules' check()
 };
 
@@ -75,7 +75,7 @@ struct MatchStep {
     MadeMove made;
     std::vector<MatchEvent> events;
     Position after;
-    bool repeatable = true;  ///< false: `after` is from a record, and the move may lead elsewhere
+    bool recorded = false;  ///< made elsewhere: playing the move again may give another position
 
     /// The shot of the step, if it was one.
     [[nodiscard]] const ShotTaken* shot() const;
@@ -107,7 +107,7 @@ class Match {
     [[nodiscard]] MatchStep play(Seat seat, const Move& move, std::int64_t at_ms) const;
 
     /// The step of a move that was played elsewhere, with what came of it there: to go on from a
-    /// record that cannot be repeated. at() keeps what was recorded; step() plays the move again.
+    /// record that cannot be repeated.
     [[nodiscard]] MatchStep recorded(const MadeMove& made, const Turn& turn) const;
 
     /// Takes a step that was made of this position. `at_ms`: when everybody has seen it; where it
@@ -120,7 +120,8 @@ class Match {
     /// Somebody else takes the seat: its score and its consent begin anew.
     void reset_seat(Seat seat);
 
-    /// When the clock of the seat whose turn it is runs down, ms; nothing if it does not run.
+    /// When the clock of the seat whose turn it is runs down, ms; nothing if it does not run: none
+    /// was agreed on, it has not been started, or the game is over.
     [[nodiscard]] std::optional<std::int64_t> clock_ends_ms() const;
 
     /// Who breaks in the game after this one, which must be over unless breaks alternate.
@@ -135,13 +136,15 @@ class Match {
     /// MatchHistory::kSpacing moves. Scores are as they were then.
     [[nodiscard]] Position at(std::size_t count) const;
 
-    /// What move `index` made of the match, played again.
+    /// What move `index` made of the match, played again; a recorded() one too, by the physics of
+    /// today.
     [[nodiscard]] MatchStep step(std::size_t index) const;
 
   private:
     MatchSpec spec_;
     Position now_;
     MatchHistory history_;
+    std::optional<std::int64_t> clock_since_ms_;  ///< the clock of this turn runs from here
 };
 
 }  // namespace poolhall

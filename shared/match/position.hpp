@@ -19,7 +19,6 @@ struct Position {
     PerSeat<bool> consents{};       ///< to a rematch
     std::optional<Seat> winner;     ///< of the race, once it is over
     std::optional<Ruling> ruling;   ///< of the last turn of this game
-    std::int64_t since_ms = 0;      ///< from when the clock of this turn runs, ms
 
     friend bool operator==(const Position&, const Position&) = default;
 };

@@ -7,9 +7,9 @@
 //   protocol_samples results COUNT
 //       JSON Lines: a scene, its result, its result with hex floats
 
-#include "protocol/codec.hpp"
-#include "protocol/result_json.hpp"
-#include "protocol/scene_json.hpp"
+#include "protocol/codec/codec.hpp"
+#include "protocol/codec/result_json.hpp"
+#include "protocol/codec/scene_json.hpp"
 #include "protocol/wire/message_fields.hpp"
 #include "shared/physics/simulate.hpp"
 #include "tests/protocol/random_messages.hpp"

@@ -1,4 +1,4 @@
-#include "protocol/scene_json.hpp"
+#include "protocol/codec/scene_json.hpp"
 
 #include "tests/protocol/random_messages.hpp"
 

@@ -1,6 +1,6 @@
 #include "client/compare/contenders.hpp"
 #include "client/lab/accuracy/results.hpp"
-#include "client/lab/csv_line.hpp"
+#include "client/lab/output/csv_line.hpp"
 #include "shared/physics/scene/trace.hpp"
 
 #include <iomanip>

@@ -1,6 +1,6 @@
 #include "client/compare/contenders.hpp"
 #include "client/lab/accuracy/results.hpp"
-#include "client/lab/result_json.hpp"
+#include "client/lab/output/result_json.hpp"
 #include "shared/physics/scene/trace.hpp"
 
 namespace poolhall::lab {

@@ -2,7 +2,7 @@
 
 #include "client/compare/number_text.hpp"
 #include "client/lab/compare/table_drawing.hpp"
-#include "client/lab/scene_source.hpp"
+#include "client/lab/input/scene_source.hpp"
 #include "shared/analysis/agreement.hpp"
 #include "shared/analysis/paths.hpp"
 
