@@ -1,6 +1,6 @@
 #include "server/delivery/fan_out.hpp"
 
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "server/delivery/shards.hpp"
 
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 
 #include <string>
 #include <utility>

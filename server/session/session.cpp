@@ -1,6 +1,6 @@
 #include "server/session/session.hpp"
 
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 #include "protocol/limits.hpp"
 #include "server/base/identity.hpp"
 #include "server/delivery/outbox.hpp"

@@ -1,8 +1,8 @@
 #include "client/lab/accuracy/accuracy_table.hpp"
 
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 #include "client/compare/number_text.hpp"
-#include "client/lab/columns.hpp"
+#include "client/lab/output/columns.hpp"
 
 namespace poolhall::lab {
 

@@ -1,5 +1,7 @@
 #include "shared/game/end_game.hpp"
 #include "shared/game/settings.hpp"
+#include "shared/physics/check.hpp"
+#include "tests/shared/game/played_shot.hpp"
 #include "tests/shared/random.hpp"
 
 #include <array>
@@ -40,8 +42,7 @@ GameSettings extreme_settings(testing::Random& random) {
 void play(const GameSettings& settings, std::uint32_t shots, testing::Random& random) {
     GameState state = new_game(kRules, Seat{0}, settings);
     while (!state.over && state.shots < shots) {
-        const ShotOutcome outcome = kRules.play(state, {random.direction()});
-        state = outcome.state;
+        state = test::shoot(kRules, state, random.direction()).state;
         const auto error = check(state.scene);
         ASSERT_FALSE(error) << error->pointer << " " << error->reason;
         for (const SceneBall& ball : state.scene.balls) {

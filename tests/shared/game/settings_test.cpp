@@ -2,6 +2,7 @@
 
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
+#include "tests/shared/game/played_shot.hpp"
 #include "tests/shared/game/pool_settings.hpp"
 #include "tests/shared/random.hpp"
 
@@ -118,7 +119,7 @@ TEST(GameSettings, ShotsOfRealPoolComeToRestWithEverySolver) {
     for (const SolverSpec& solver : test::kPlayableSolvers) {
         const GameState start = new_game(kRules, Seat{0}, test::pool_settings(solver));
         for (int shot = 0; shot < 100; ++shot) {
-            const ShotOutcome outcome = kRules.play(start, {random.direction()});
+            const test::PlayedShot outcome = test::shoot(kRules, start, random.direction());
             EXPECT_EQ(Outcome::kRest, outcome.trace.outcome);
             EXPECT_EQ(kPlayoutHz, outcome.trace.sample_hz);
             // Shown for as long as it takes, to the tick.
