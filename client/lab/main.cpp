@@ -1,9 +1,9 @@
 #include "client/lab/accuracy/accuracy_command.hpp"
-#include "client/lab/bench_command.hpp"
+#include "client/lab/bench/bench_command.hpp"
 #include "client/lab/compare/compare_command.hpp"
 #include "client/lab/effects/effects_command.hpp"
-#include "client/lab/simulate_command.hpp"
-#include "client/lab/solver_option.hpp"
+#include "client/lab/input/solver_option.hpp"
+#include "client/lab/simulate/simulate_command.hpp"
 
 #include <CLI/CLI.hpp>
 #include <charconv>

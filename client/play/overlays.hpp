@@ -30,10 +30,16 @@ class CollisionMarks {
   public:
     void pass(const Playback::Passed& passed);
 
+    void toggle() { shown_ = !shown_; }
+
+    /// Collision mode is on. The marks are kept without it too.
+    [[nodiscard]] bool shown() const { return shown_; }
+
     [[nodiscard]] const std::vector<CollisionMark>& marks() const { return marks_; }
 
   private:
     std::vector<CollisionMark> marks_;
+    bool shown_ = false;
 };
 
 }  // namespace poolhall::client

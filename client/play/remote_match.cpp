@@ -1,5 +1,6 @@
 #include "client/play/remote_match.hpp"
 
+#include "client/play/isolated.hpp"
 #include "protocol/limits.hpp"
 
 #include <algorithm>
@@ -324,11 +325,12 @@ void RemoteMatch::note_changes(const TableState& before) {
         const auto& was = before.seats[i];
         const auto& is_now = info_.table->seats[i];
         if (info_.mine[i]) continue;
-        if (!was.taken && is_now.taken) notice_ = is_now.name + " sits down";
-        if (was.taken && !is_now.taken) notice_ = was.name + " has left";
+        if (!was.taken && is_now.taken) notice_ = isolated(is_now.name) + " sits down";
+        if (was.taken && !is_now.taken) notice_ = isolated(was.name) + " has left";
         if (!was.taken || !is_now.taken) continue;
-        if (was.connected && !is_now.connected) notice_ = is_now.name + " has lost the connection";
-        if (!was.connected && is_now.connected) notice_ = is_now.name + " is back";
+        if (was.connected && !is_now.connected)
+            notice_ = isolated(is_now.name) + " has lost the connection";
+        if (!was.connected && is_now.connected) notice_ = isolated(is_now.name) + " is back";
     }
 }
 

@@ -95,9 +95,8 @@ struct ViewState {
     std::string hint;    ///< what to do now: "Space to shoot"; empty for none
     bool step_mode = false;
     bool collision_mode = false;
-    bool help = false;
     bool muted = false;
-    std::optional<double> frames_per_second;  ///< shown when set
+    std::optional<double> frames_per_second;  ///< shown when set; 0 while nothing moves
     std::string physics;                      ///< solver and kernel; not shown when empty
 };
 

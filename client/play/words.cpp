@@ -1,5 +1,6 @@
 #include "client/play/words.hpp"
 
+#include "client/play/isolated.hpp"
 #include "client/play/remote_match.hpp"
 
 #include <array>
@@ -23,10 +24,10 @@ std::string waiting_hint(const MatchInfo& info, const TableState& table) {
 std::string aiming_hint(const MatchInfo& info, const TableState& table) {
     const auto& seat = table.seats[table.turn.value];
     if (!info.mine[table.turn.value]) {
-        return seat.connected ? seat.name + " is aiming"
-                              : seat.name + " has lost the connection; the seat is kept";
+        return seat.connected ? isolated(seat.name) + " is aiming"
+                              : isolated(seat.name) + " has lost the connection; the seat is kept";
     }
-    const std::string whose = info.hot_seat() ? seat.name + "'s turn: " : "Your turn: ";
+    const std::string whose = info.hot_seat() ? isolated(seat.name) + "'s turn: " : "Your turn: ";
     const std::string place = table.may_place ? "Up and Down place the cue ball, " : "";
     return whose + place + "Left and Right aim, Space shoots";
 }
@@ -38,7 +39,8 @@ std::string rematch_hint(const MatchInfo& info, const TableState& table) {
         if (info.mine[i] && !table.seats[i].wants_rematch) return "Space asks for a rematch";
     }
     for (std::size_t i = 0; i < kSeatCount; ++i) {
-        if (!info.mine[i]) return "Waiting for " + table.seats[i].name + " to agree to a rematch";
+        if (!info.mine[i])
+            return "Waiting for " + isolated(table.seats[i].name) + " to agree to a rematch";
     }
     return "";
 }
@@ -46,7 +48,7 @@ std::string rematch_hint(const MatchInfo& info, const TableState& table) {
 /// "You", or the name of who sits there; with the seat where both have one name.
 std::string who(Seat seat, const MatchInfo& info, const TableState& table) {
     if (info.mine[seat.value] && !info.hot_seat()) return "You";
-    const std::string& name = table.seats[seat.value].name;
+    const std::string name = isolated(table.seats[seat.value].name);
     const bool same = table.seats[0].name == table.seats[1].name;
     return same ? name + (seat.value == 0 ? " (left seat)" : " (right seat)") : name;
 }

@@ -1,6 +1,6 @@
 #include "client/replay/verifier.hpp"
 
-#include "protocol/scene_json.hpp"
+#include "protocol/codec/scene_json.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>

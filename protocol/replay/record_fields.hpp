@@ -45,7 +45,7 @@ struct MatchId {
 
 inline constexpr Text kShortText{1, 64};
 inline constexpr Text kReasonText{0, 256};
-inline constexpr Real kSeconds{0, kAnyMagnitude};
+inline constexpr Number kSeconds{0, kAnyMagnitude};
 
 template <>
 inline constexpr auto kFields<MatchRecord> = std::tuple{
@@ -72,7 +72,7 @@ inline constexpr auto kFields<ShotEvidence> = std::tuple{
     field("trace", &ShotEvidence::trace, Hash{}),
     field("duration", &ShotEvidence::duration, kSeconds),
     field("event_count", &ShotEvidence::event_count),
-    field("event_times", &ShotEvidence::event_times, List<Real>{kSeconds, kMaxEventTimes}),
+    field("event_times", &ShotEvidence::event_times, List<Number>{kSeconds, kMaxEventTimes}),
 };
 
 template <>
@@ -103,7 +103,7 @@ inline constexpr auto kFields<ShotRecord> = std::tuple{
     field("final_hash", &ShotRecord::final_hash, Hash{}),
     field("duration", &ShotRecord::duration, kSeconds),
     field("event_count", &ShotRecord::event_count),
-    field("event_times", &ShotRecord::event_times, List<Real>{kSeconds, kMaxEventTimes}),
+    field("event_times", &ShotRecord::event_times, List<Number>{kSeconds, kMaxEventTimes}),
     field("ruling", &ShotRecord::ruling),
     field("at_ms", &ShotRecord::at_ms, Count{}),
 };

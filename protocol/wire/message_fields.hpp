@@ -175,11 +175,11 @@ template <>
 inline constexpr auto kFields<ShotEnded> = std::tuple{
     field("shot", &ShotEnded::shot),
     field("ticks", &ShotEnded::ticks),
-    field("duration", &ShotEnded::duration, Real{0, kAnyMagnitude}),
+    field("duration", &ShotEnded::duration, Number{0, kAnyMagnitude}),
     field("outcome", &ShotEnded::outcome),
     field("kernel", &ShotEnded::kernel, Text{1, kMaxLabelBytes}),
     field("solver", &ShotEnded::solver),
-    field("cpu_us", &ShotEnded::cpu_us, Real{0, kAnyMagnitude}),
+    field("cpu_us", &ShotEnded::cpu_us, Number{0, kAnyMagnitude}),
     field("balls", &ShotEnded::balls, List<FinalBallCodec>{{}, kMaxBalls}),
     field("hash", &ShotEnded::hash, Hash{}),
     field("ruling", &ShotEnded::ruling),

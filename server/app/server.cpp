@@ -1,8 +1,8 @@
 #include "server/app/server.hpp"
 
+#include "server/http/connection.hpp"
 #include "server/net/listener.hpp"
 #include "server/room/rebuild.hpp"
-#include "server/session/connection_services.hpp"
 
 #include <boost/asio/thread_pool.hpp>
 
@@ -24,22 +24,6 @@ constexpr auto kMaxSweepInterval = std::chrono::milliseconds(5000);
 constexpr auto kDrainTime = std::chrono::seconds(2);
 constexpr auto kCutOffTime = std::chrono::seconds(2);
 
-using Shards = std::vector<std::unique_ptr<Shard>>;
-
-Shards make_shards(std::uint32_t count) {
-    Shards shards;
-    while (shards.size() < count)
-        shards.push_back(std::make_unique<Shard>());
-    return shards;
-}
-
-std::vector<Loop*> loops_of(const Shards& shards) {
-    std::vector<Loop*> loops;
-    for (const auto& shard : shards)
-        loops.push_back(&shard->loop);
-    return loops;
-}
-
 std::chrono::milliseconds sweep_interval(std::uint32_t idle_timeout) {
     return std::min<std::chrono::milliseconds>(kMaxSweepInterval,
                                                std::chrono::milliseconds(250) * idle_timeout);
@@ -48,39 +32,46 @@ std::chrono::milliseconds sweep_interval(std::uint32_t idle_timeout) {
 }  // namespace
 
 struct Server::State {
-    State(const ServerConfig& config, std::unique_ptr<ReplayStore> opened, Shards made,
-          std::unique_ptr<Listener> bound)
+    State(const ServerConfig& config, std::unique_ptr<ReplayStore> opened,
+          std::unique_ptr<Shards> made, std::unique_ptr<Listener> bound)
         : store(std::move(opened)),
           shards(std::move(made)),
           listener(std::move(bound)),
           lobby({*store,
+                 *shards,
                  counters,
                  {config.max_spectators, std::chrono::seconds(config.idle_timeout)},
-                 config.max_matches,
-                 loops_of(shards)}),
-          services{lobby,
+                 config.max_matches}),
+          sessions{lobby, *shards, counters},
+          services{sessions,
                    counters,
                    {lobby, *store, counters, [this] { return !draining.load(); }},
                    readers,
                    config.allow_origin,
                    config.max_sessions},
-          sweep_timer(shards.front()->loop),
+          listening{shards->loops(), counters, config.max_sessions,
+                    [this](net::Socket socket, std::size_t loop) {
+                        const ShardId shard{static_cast<std::uint32_t>(loop)};
+                        return serve_connection(std::move(socket), shards->at(shard), services);
+                    }},
+          sweep_timer(shards->at({}).loop()),
           sweep_every(sweep_interval(config.idle_timeout)) {}
 
     void reopen_matches(const OpenMatches& open);
     void schedule_sweep();
-    void each_session(const std::function<void(Outlet&)>& act);
     bool wait_for_sessions(std::chrono::milliseconds limit) const;
     void run_rest();
 
     Counters counters;
     std::unique_ptr<ReplayStore> store;
-    Shards shards;
+    std::unique_ptr<Shards> shards;
     std::unique_ptr<Listener> listener;
     Lobby lobby;
     boost::asio::thread_pool readers{1};
     std::atomic<bool> draining{false};
+    SessionServices sessions;
     ConnectionServices services;
+    ListenerServices listening;
     LoopTimer sweep_timer;
     std::chrono::milliseconds sweep_every;
 };
@@ -89,11 +80,11 @@ void Server::State::reopen_matches(const OpenMatches& open) {
     for (const std::string& damage : open.damaged)
         spdlog::error("{}", damage);
     for (const StoredMatch& stored : open.matches) {
-        auto match = rebuild(stored);
-        if (match)
-            lobby.reopen(std::move(*match));
+        auto table = rebuild(stored);
+        if (table)
+            lobby.reopen(std::move(*table));
         else
-            spdlog::error("match {} is not opened again: {}", stored.id, match.error());
+            spdlog::error("match {} is not opened again: {}", stored.id, table.error());
     }
     if (lobby.size() > 0) spdlog::info("{} open matches brought back from the store", lobby.size());
 }
@@ -106,17 +97,6 @@ void Server::State::schedule_sweep() {
     });
 }
 
-void Server::State::each_session(const std::function<void(Outlet&)>& act) {
-    for (const auto& shard : shards) {
-        shard->loop.post([sessions = &shard->sessions, act] {
-            // Copied: a session may leave the map while it is spoken to.
-            const auto now = *sessions;
-            for (const auto& [id, session] : now)
-                if (const auto alive = session.lock()) act(*alive);
-        });
-    }
-}
-
 bool Server::State::wait_for_sessions(std::chrono::milliseconds limit) const {
     constexpr auto kStep = std::chrono::milliseconds(5);
     for (auto waited = kStep * 0; counters.sessions.load() > 0; waited += kStep) {
@@ -126,18 +106,18 @@ bool Server::State::wait_for_sessions(std::chrono::milliseconds limit) const {
     return true;
 }
 
-/// Tasks that are left hold sessions of other loops, which must be gone before those loops are.
+/// Tasks that are left hold sessions of other loops, which must be gone before those loops are; and
+/// every command that was begun is answered.
 void Server::State::run_rest() {
     for (bool ran = true; ran;) {
-        ran = false;
-        for (const auto& shard : shards)
-            ran = shard->loop.run_ready() || ran;
+        store->flush();
+        ran = shards->run_ready();
     }
 }
 
 Result<std::unique_ptr<Server>, std::string> Server::start(const ServerConfig& config) {
-    Shards shards = make_shards(config.threads);
-    auto listener = Listener::bind(config.listen, *shards.front());
+    auto shards = std::make_unique<Shards>(config.threads);
+    auto listener = Listener::bind(config.listen, shards->at({}).loop());
     if (!listener) return listener.error();
     auto store = ReplayStore::open({config.data});
     if (!store) return store.error().reason;
@@ -147,13 +127,9 @@ Result<std::unique_ptr<Server>, std::string> Server::start(const ServerConfig& c
     auto state =
         std::make_unique<State>(config, std::move(*store), std::move(shards), std::move(*listener));
     state->reopen_matches(*open);
-    std::vector<Shard*> all;
-    for (const auto& shard : state->shards)
-        all.push_back(shard.get());
-    state->listener->start(std::move(all), state->services);
+    state->listener->start(state->listening);
     state->schedule_sweep();
-    for (const auto& shard : state->shards)
-        shard->loop.start();
+    state->shards->start();
     spdlog::info("listening on {}, {} threads, data in {}", state->listener->address(),
                  config.threads, config.data);
     return std::unique_ptr<Server>(new Server(std::move(state)));
@@ -164,8 +140,7 @@ Server::Server(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Server::~Server() {
     drain();
     // Loops first: what they run uses the rest.
-    for (const auto& shard : state_->shards)
-        shard->loop.stop();
+    state_->shards->stop();
     state_->readers.join();
     state_->run_rest();
     state_->store.reset();
@@ -185,11 +160,11 @@ void Server::drain() {
                  state_->lobby.size());
     state_->lobby.close();
     state_->listener->stop();
-    state_->each_session([](Outlet& session) {
+    state_->shards->post_to_all([](Outlet& session) {
         session.close(CloseReason::kGoingAway, "The server is shutting down.");
     });
     if (state_->wait_for_sessions(kDrainTime)) return;
-    state_->each_session([](Outlet& session) { session.abort(); });
+    state_->shards->post_to_all([](Outlet& session) { session.abort(); });
     if (!state_->wait_for_sessions(kCutOffTime)) spdlog::warn("some sessions did not end");
 }
 

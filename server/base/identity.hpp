@@ -9,10 +9,13 @@ namespace poolhall::server {
 /// Program and version, as `welcome` and replays carry it.
 inline constexpr std::string_view kServerName = "poolhall " POOLHALL_VERSION;
 
-/// Unix time, ms.
+/// Unix time, ms. It never goes back, nor jumps when somebody sets the system's clock: nobody's
+/// time to play must run out by that.
 inline std::int64_t unix_ms() {
     using namespace std::chrono;
-    return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+    static const auto kStart = system_clock::now().time_since_epoch();
+    static const auto kStartSteady = steady_clock::now();
+    return duration_cast<milliseconds>(kStart + (steady_clock::now() - kStartSteady)).count();
 }
 
 }  // namespace poolhall::server

@@ -1,6 +1,6 @@
 #include "server/delivery/fan_out.hpp"
 
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,54 +23,60 @@ std::size_t index(Stream stream) {
 
 }  // namespace
 
+struct FanOut::Broadcast {
+    std::shared_ptr<const ServerMessage> message;
+    std::array<std::shared_ptr<const std::string>, kEncodings> bytes;
+    Streams streams{};
+};
+
 struct FanOut::Audience {
     struct Listener {
         MemberId id;
-        std::shared_ptr<Outlet> outlet;
         Encoding encoding = Encoding::kJson;
         Stream stream = Stream::kStates;
     };
 
     std::vector<Listener> listeners;
-};
 
-struct FanOut::Broadcast {
-    std::shared_ptr<const ServerMessage> message;
-    std::array<std::shared_ptr<const std::string>, kEncodings> bytes;
-    std::array<bool, kStreams> streams{};
+    void hear(const Shard& shard, const Broadcast& broadcast) const {
+        for (const Listener& listener : listeners) {
+            if (!broadcast.streams[index(listener.stream)]) continue;
+            if (const auto outlet = shard.find(listener.id))
+                outlet->push({broadcast.message, broadcast.bytes[index(listener.encoding)]});
+        }
+    }
 };
 
 void FanOut::add(const Member& member, Stream stream) {
     followers_[member.id] = {member, stream};
     ++counts_[index(stream)][index(member.encoding)];
-    Branch& branch = branch_of(member.loop);
+    Branch& branch = branch_of(member.shard);
     ++branch.followers;
-    branch.loop->post([audience = branch.audience, member, stream] {
-        audience->listeners.push_back({member.id, member.outlet, member.encoding, stream});
+    shards_.at(member.shard).loop().post([audience = branch.audience, member, stream] {
+        audience->listeners.push_back({member.id, member.encoding, stream});
     });
 }
 
 void FanOut::remove(MemberId member) {
     const auto found = followers_.find(member);
     if (found == followers_.end()) return;
-    const Follower& follower = found->second;
-    --counts_[index(follower.stream)][index(follower.member.encoding)];
-    Branch& branch = branch_of(follower.member.loop);
-    branch.loop->post([audience = branch.audience, member] {
+    const auto [address, stream] = found->second;
+    --counts_[index(stream)][index(address.encoding)];
+    Branch& branch = branch_of(address.shard);
+    shards_.at(address.shard).loop().post([audience = branch.audience, member] {
         std::erase_if(audience->listeners,
                       [member](const auto& listener) { return listener.id == member; });
     });
     if (--branch.followers == 0)
-        std::erase_if(branches_,
-                      [&](const Branch& other) { return other.loop == follower.member.loop; });
+        std::erase_if(branches_, [&](const Branch& other) { return other.shard == address.shard; });
     followers_.erase(found);
 }
 
-FanOut::Branch& FanOut::branch_of(Loop* loop) {
+FanOut::Branch& FanOut::branch_of(ShardId shard) {
     const auto found = std::find_if(branches_.begin(), branches_.end(),
-                                    [&](const Branch& branch) { return branch.loop == loop; });
+                                    [&](const Branch& branch) { return branch.shard == shard; });
     if (found != branches_.end()) return *found;
-    return branches_.emplace_back(Branch{loop, std::make_shared<Audience>(), 0});
+    return branches_.emplace_back(Branch{shard, std::make_shared<Audience>(), 0});
 }
 
 const Member* FanOut::find(MemberId member) const {
@@ -79,45 +85,40 @@ const Member* FanOut::find(MemberId member) const {
 }
 
 void FanOut::send(const ServerMessage& message) {
-    broadcast(message, {true, true});
+    Streams all{};
+    all.fill(true);
+    send(message, all);
 }
 
 void FanOut::send(const ServerMessage& message, Stream stream) {
-    std::array<bool, kStreams> streams{};
-    streams[index(stream)] = true;
-    broadcast(message, streams);
+    Streams one{};
+    one[index(stream)] = true;
+    send(message, one);
 }
 
-void FanOut::broadcast(const ServerMessage& message, const std::array<bool, kStreams>& streams) {
-    auto broadcast = std::make_shared<Broadcast>();
-    broadcast->streams = streams;
-    bool wanted_at_all = false;
-    for (const Encoding encoding : {Encoding::kJson, Encoding::kCbor}) {
-        std::size_t wanted = 0;
-        for (std::size_t stream = 0; stream < kStreams; ++stream)
-            if (streams[stream]) wanted += counts_[stream][index(encoding)];
-        if (wanted == 0) continue;
-        wanted_at_all = true;
-        broadcast->bytes[index(encoding)] =
-            std::make_shared<const std::string>(encode(message, encoding));
+bool FanOut::is_wanted(std::size_t encoding, const Streams& streams) const {
+    for (std::size_t stream = 0; stream < kStreams; ++stream)
+        if (streams[stream] && counts_[stream][encoding] > 0) return true;
+    return false;
+}
+
+void FanOut::send(const ServerMessage& message, const Streams& streams) {
+    Broadcast broadcast{nullptr, {}, streams};
+    for (std::size_t encoding = 0; encoding < kEncodings; ++encoding) {
+        if (!is_wanted(encoding, streams)) continue;
+        if (!broadcast.message) broadcast.message = std::make_shared<const ServerMessage>(message);
+        broadcast.bytes[encoding] =
+            std::make_shared<const std::string>(encode(message, static_cast<Encoding>(encoding)));
     }
-    if (!wanted_at_all) return;
-    broadcast->message = std::make_shared<const ServerMessage>(message);
+    if (broadcast.message) post(std::make_shared<const Broadcast>(std::move(broadcast)));
+}
+
+void FanOut::post(const std::shared_ptr<const Broadcast>& broadcast) {
     for (const Branch& branch : branches_) {
-        branch.loop->post([audience = branch.audience, broadcast] {
-            for (const auto& listener : audience->listeners)
-                if (broadcast->streams[index(listener.stream)])
-                    listener.outlet->push(
-                        {broadcast->message, broadcast->bytes[index(listener.encoding)]});
-        });
+        Shard& shard = shards_.at(branch.shard);
+        shard.loop().post(
+            [&shard, audience = branch.audience, broadcast] { audience->hear(shard, *broadcast); });
     }
-}
-
-void FanOut::send(const Member& member, const ServerMessage& message) {
-    Parcel parcel{std::make_shared<const ServerMessage>(message),
-                  std::make_shared<const std::string>(encode(message, member.encoding))};
-    member.loop->post(
-        [outlet = member.outlet, parcel = std::move(parcel)] { outlet->push(parcel); });
 }
 
 }  // namespace poolhall::server

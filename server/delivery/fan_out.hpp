@@ -1,6 +1,7 @@
 #pragma once
 
-#include "server/delivery/outlet.hpp"
+#include "protocol/messages.hpp"
+#include "server/delivery/shards.hpp"
 
 #include <array>
 #include <cstddef>
@@ -15,6 +16,8 @@ namespace poolhall::server {
 /// to the match's loop.
 class FanOut {
   public:
+    explicit FanOut(Shards& shards) : shards_(shards) {}
+
     void add(const Member& member, protocol::Stream stream);
     /// Nothing reaches the member any more, but for what was sent before.
     void remove(MemberId member);
@@ -30,32 +33,32 @@ class FanOut {
     /// To those with this stream.
     void send(const protocol::ServerMessage& message, protocol::Stream stream);
 
-    /// To one connection, which need not follow the match.
-    static void send(const Member& member, const protocol::ServerMessage& message);
-
   private:
     static constexpr std::size_t kEncodings = 2;
     static constexpr std::size_t kStreams = 2;
+    using Streams = std::array<bool, kStreams>;
 
     struct Follower {
         Member member;
         protocol::Stream stream = protocol::Stream::kStates;
     };
 
-    /// The outlets of one loop; used on its thread.
+    /// Who follows on one shard; used on its loop.
     struct Audience;
 
     struct Branch {
-        Loop* loop = nullptr;
+        ShardId shard;
         std::shared_ptr<Audience> audience;
         std::size_t followers = 0;
     };
 
     struct Broadcast;
-    void broadcast(const protocol::ServerMessage& message,
-                   const std::array<bool, kStreams>& streams);
-    Branch& branch_of(Loop* loop);
+    void send(const protocol::ServerMessage& message, const Streams& streams);
+    [[nodiscard]] bool is_wanted(std::size_t encoding, const Streams& streams) const;
+    void post(const std::shared_ptr<const Broadcast>& broadcast);
+    Branch& branch_of(ShardId shard);
 
+    Shards& shards_;
     std::map<MemberId, Follower> followers_;
     std::vector<Branch> branches_;
     std::array<std::array<std::size_t, kEncodings>, kStreams> counts_{};

@@ -1,6 +1,6 @@
 #include "server/delivery/outbox.hpp"
 
-#include "server/room/playout.hpp"
+#include "server/delivery/merge_frames.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -12,9 +12,8 @@ namespace poolhall::server {
 /// What waits to be written to one session, bounded by this policy:
 ///
 /// - Up to kBacklog messages wait as they are.
-/// - Past that, the session skips to the newest state: a frame is merged into a waiting frame of
-/// its
-///   shot (newest positions, the events of both, so that no collision mark is lost); an aim or a
+/// - Past that, the session skips to the newest state: a frame is merged into one of its shot that
+///   waits (newest positions, the events of both, so that no collision mark is lost); an aim or a
 ///   table replaces one that waits; when a new shot starts, a whole shot that waits shrinks to the
 ///   table after it.
 /// - Replies are never dropped, and a session that lets kLimit messages pile up is not reading at

@@ -1,6 +1,7 @@
 #include "server/http/connection.hpp"
 
 #include "server/base/identity.hpp"
+#include "server/http/handshake.hpp"
 #include "server/session/session.hpp"
 
 #include <boost/asio/post.hpp>
@@ -68,7 +69,7 @@ std::optional<HttpReply> explain(net::error_code error) {
 net::Async<HttpReply> answer_elsewhere(const Route& route, Shard& shard,
                                        ConnectionServices& services) {
     return net::await_callback<HttpReply>([&shard, &services, work = route.answer](auto resume) {
-        net::post(services.readers, [&loop = shard.loop, resume, work] {
+        net::post(services.readers, [&loop = shard.loop(), resume, work] {
             loop.post([resume, reply = work()] { resume(reply); });
         });
     });
@@ -190,7 +191,8 @@ net::Async<void> serve_connection(net::Socket socket, Shard& shard, ConnectionSe
     net::Socket upgraded = std::move(wire->socket);
     wire.reset();
     auto [request, handshake] = *std::exchange(upgrade, std::nullopt);
-    co_await run_session(std::move(upgraded), std::move(request), handshake, shard, services);
+    co_await run_session(std::move(upgraded), std::move(request), handshake, shard,
+                         services.sessions);
 }
 
 }  // namespace poolhall::server

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "server/http/connection_services.hpp"
 #include "server/net/asio.hpp"
-#include "server/session/connection_services.hpp"
 
 namespace poolhall::server {
 

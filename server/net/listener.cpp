@@ -1,8 +1,5 @@
 #include "server/net/listener.hpp"
 
-#include "server/http/connection.hpp"
-#include "server/net/asio.hpp"
-
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 
@@ -42,20 +39,19 @@ std::optional<net::ip::tcp::endpoint> parse_endpoint(std::string_view text) {
 }  // namespace
 
 struct Listener::State {
-    State(Shard& home, net::ip::tcp::endpoint bound)
-        : shard(home), acceptor(home.loop.context().get_executor()), endpoint(std::move(bound)) {}
+    State(Loop& home, net::ip::tcp::endpoint bound)
+        : loop(home), acceptor(home.context().get_executor()), endpoint(std::move(bound)) {}
 
-    Shard& shard;
+    Loop& loop;
     net::Acceptor acceptor;
     net::ip::tcp::endpoint endpoint;
-    std::vector<Shard*> shards;
     std::size_t next = 0;
     std::chrono::steady_clock::time_point complained{};
 
     void open(net::error_code& error);
-    net::Async<void> run(ConnectionServices& services);
-    net::error_code take_batch(ConnectionServices& services);
-    void serve(net::Socket socket, Shard& home, ConnectionServices& services) const;
+    net::Async<void> run(const ListenerServices& services);
+    net::error_code take_batch(const ListenerServices& services);
+    static void serve(net::Socket socket, std::size_t loop, const ListenerServices& services);
     void complain(net::error_code error);
 };
 
@@ -70,7 +66,7 @@ void Listener::State::open(net::error_code& error) {
 
 /// Waits once, then takes all that are there: with one wait for each connection, a storm of them
 /// stalls.
-net::Async<void> Listener::State::run(ConnectionServices& services) {
+net::Async<void> Listener::State::run(const ListenerServices& services) {
     net::Timer retry(acceptor.get_executor());
     while (acceptor.is_open()) {
         const auto [failed] =
@@ -84,11 +80,11 @@ net::Async<void> Listener::State::run(ConnectionServices& services) {
     }
 }
 
-net::error_code Listener::State::take_batch(ConnectionServices& services) {
+net::error_code Listener::State::take_batch(const ListenerServices& services) {
     for (int taken = 0; taken < kBatch; ++taken) {
-        Shard& home = *shards[next++ % shards.size()];
+        const std::size_t home = next++ % services.loops.size();
         net::error_code error;
-        net::Socket socket = acceptor.accept(home.loop.context().get_executor(), error);
+        net::Socket socket = acceptor.accept(services.loops[home]->context().get_executor(), error);
         if (error == net::error::would_block) return {};
         if (error == net::error::connection_aborted) continue;
         if (error) return error;
@@ -99,9 +95,10 @@ net::error_code Listener::State::take_batch(ConnectionServices& services) {
     return {};
 }
 
-void Listener::State::serve(net::Socket socket, Shard& home, ConnectionServices& services) const {
-    const auto executor = home.loop.context().get_executor();
-    net::co_spawn(executor, serve_connection(std::move(socket), home, services),
+void Listener::State::serve(net::Socket socket, std::size_t loop,
+                            const ListenerServices& services) {
+    const auto executor = services.loops[loop]->context().get_executor();
+    net::co_spawn(executor, services.serve(std::move(socket), loop),
                   [](const std::exception_ptr& thrown) {
                       if (!thrown) return;
                       try {
@@ -120,11 +117,11 @@ void Listener::State::complain(net::error_code error) {
 }
 
 Result<std::unique_ptr<Listener>, std::string> Listener::bind(std::string_view address,
-                                                              Shard& shard) {
+                                                              Loop& loop) {
     const auto endpoint = parse_endpoint(address);
     if (!endpoint)
         return "cannot listen on '" + std::string(address) + "': it is not of the form ADDR:PORT";
-    auto state = std::make_shared<State>(shard, *endpoint);
+    auto state = std::make_shared<State>(loop, *endpoint);
     net::error_code error;
     state->open(error);
     if (error) return "cannot listen on " + std::string(address) + ": " + error.message();
@@ -135,16 +132,15 @@ Listener::Listener(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
 Listener::~Listener() = default;
 
-void Listener::start(std::vector<Shard*> shards, ConnectionServices& services) {
-    state_->shards = std::move(shards);
+void Listener::start(const ListenerServices& services) {
     const auto run = [state = state_, &services]() -> net::Async<void> {
         co_await state->run(services);
     };
-    net::co_spawn(state_->shard.loop.context().get_executor(), run, net::detached);
+    net::co_spawn(state_->loop.context().get_executor(), run, net::detached);
 }
 
 void Listener::stop() {
-    state_->shard.loop.post([state = state_] {
+    state_->loop.post([state = state_] {
         net::error_code ignored;  // it is closed either way
         state->acceptor.close(ignored);
     });

@@ -1,151 +1,137 @@
 #include "server/room/gate.hpp"
 
+#include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 namespace poolhall::server {
-namespace {
 
 using namespace protocol;  // the commands and codes of which this file is made
 
-using Answer = std::optional<Refusal>;
+namespace {
 
-Answer refuse(RejectCode code, std::string_view reason) {
-    return Refusal{code, std::string(reason)};
+using Answer = Gate::Answer;
+
+Answer refuse(RejectCode code, std::string reason) {
+    return Refusal{code, std::move(reason)};
 }
 
-std::string_view explain(Illegal reason) {
-    switch (reason) {
-        case Illegal::kGameOver:
-            return "The game is over.";
-        case Illegal::kNotPlaceable:
-            return "The cue ball may not be moved now.";
-        case Illegal::kOutOfPlace:
-            return "The cue ball may not be put there.";
+Answer refuse_illegal(std::string_view field, const char* what) {
+    return refuse(RejectCode::kIllegal, "field /move" + std::string(field) + " " + what);
+}
+
+Answer refuse_illegal(const IllegalMove& illegal) {
+    switch (illegal.code) {
+        case Illegal::kNotOffered:
+            return refuse_illegal(illegal.field, "is no move that the rules offer now");
+        case Illegal::kOutOfRegion:
+            return refuse_illegal(illegal.field, "is no place where the cue ball may be put now");
         case Illegal::kBadDirection:
-            return "The direction is zero or not finite.";
+            return refuse_illegal(illegal.field, "must be finite and not zero");
+        case Illegal::kOutOfBounds:
+            return refuse_illegal(illegal.field, "is outside what the game allows");
     }
-    return "The rules do not allow that.";
+    return refuse(RejectCode::kIllegal, "The rules do not allow that.");
 }
 
-Answer refuse(Illegal reason) {
-    return refuse(RejectCode::kIllegal, explain(reason));
-}
-
-std::string_view explain(Phase phase) {
-    switch (phase) {
-        case Phase::kWaiting:
-            return "A seat is open: the game waits for a player.";
-        case Phase::kAiming:
-            return "The game is not over.";
-        case Phase::kPlaying:
-            return "A shot is running.";
-        case Phase::kOver:
-            return "The game is over.";
-    }
-    return "Not now.";
-}
-
-struct Checks {
-    const Match& match;
-    MemberId member;
-    std::uint32_t max_spectators;
-
-    [[nodiscard]] Answer holds(Seat seat) const {
-        if (match.holds(member, seat)) return {};
-        return refuse(RejectCode::kNotYourSeat, "You do not hold that seat.");
-    }
-
-    [[nodiscard]] Answer in_phase(Phase wanted) const {
-        if (match.phase() == wanted) return {};
-        return refuse(RejectCode::kWrongPhase, explain(match.phase()));
-    }
-
-    [[nodiscard]] Answer may_act(Seat seat) const {
-        if (Answer answer = holds(seat)) return answer;
-        if (Answer answer = in_phase(Phase::kAiming)) return answer;
-        if (match.game().turn != seat)
+Answer refuse(const MoveRefusal& refusal) {
+    switch (refusal.fault) {
+        case MoveFault::kNotYourTurn:
             return refuse(RejectCode::kNotYourTurn, "It is the other seat's turn.");
-        return {};
+        case MoveFault::kGameOver:
+            return refuse(RejectCode::kWrongPhase, "The game is over.");
+        case MoveFault::kNotOver:
+            return refuse(RejectCode::kWrongPhase, "The game is not over.");
+        case MoveFault::kClockStillRuns:
+            return refuse(RejectCode::kIllegal, "The clock has not run down.");
+        case MoveFault::kIllegal:
+            break;
     }
+    return refuse_illegal(refusal.illegal);
+}
 
-    [[nodiscard]] Answer may_free_seat() const {
-        if (match.phase() != Phase::kPlaying) return {};
-        return refuse(RejectCode::kWrongPhase, "A seat cannot be left while a shot runs.");
-    }
-
-    Answer operator()(const CreateMatch&) const { return {}; }
-
-    Answer operator()(const Ping&) const { return {}; }
-
-    Answer operator()(const JoinMatch&) const {
-        if (match.open_seat()) return {};
-        return refuse(RejectCode::kMatchFull, "Both seats of this match are taken.");
-    }
-
-    Answer operator()(const WatchMatch&) const {
-        if (match.spectators() < max_spectators) return {};
-        return refuse(RejectCode::kSpectatorsFull,
-                      "This match has as many spectators as it may have.");
-    }
-
-    Answer operator()(const Resume& command) const {
-        if (!match.seats_of(hash_token(command.token)).empty()) return {};
-        return refuse(RejectCode::kBadToken, "The token holds no seat in this match.");
-    }
-
-    Answer operator()(const TakeSeat& command) const {
-        if (!match.holder(command.seat)) return {};
-        return refuse(RejectCode::kSeatTaken, "That seat is taken.");
-    }
-
-    Answer operator()(const LeaveSeat& command) const {
-        if (Answer answer = holds(command.seat)) return answer;
-        return may_free_seat();
-    }
-
-    Answer operator()(const Leave&) const {
-        if (match.seats_of(member).empty()) return {};
-        return may_free_seat();
-    }
-
-    Answer operator()(const Aim& command) const { return may_act(command.seat); }
-
-    Answer operator()(const PlaceCueBall& command) const {
-        if (Answer answer = may_act(command.seat)) return answer;
-        GameState trial = match.game();
-        if (const auto illegal = match.rules().place_cue_ball(trial, command.position))
-            return refuse(*illegal);
-        return {};
-    }
-
-    Answer operator()(const Shoot& command) const {
-        if (Answer answer = may_act(command.seat)) return answer;
-        if (const auto illegal = match.rules().check_shot(match.game(), {command.direction}))
-            return refuse(*illegal);
-        return {};
-    }
-
-    Answer operator()(const Rematch& command) const {
-        if (Answer answer = holds(command.seat)) return answer;
-        return in_phase(Phase::kOver);
-    }
-};
+constexpr const char* kShotRuns = "A shot is running.";
 
 }  // namespace
 
-std::optional<Refusal> check(const CreateMatch& command) {
+Answer check(const CreateMatch& command) {
     const Ruleset* rules = find_ruleset(command.game);
     if (!rules) return refuse(RejectCode::kUnknownGame, "There is no game of this name.");
-    const auto fault = poolhall::check(*rules, command.settings.value_or(GameSettings{}));
+    const auto fault = poolhall::check(*rules, command.settings.value_or(MatchSettings{}));
     if (!fault) return {};
     return refuse(RejectCode::kBadField, "field /settings" + fault->pointer + " " + fault->reason);
 }
 
-std::optional<Refusal> check(const Match& match, MemberId member, const ClientBody& command,
-                             std::uint32_t max_spectators) {
-    return std::visit(Checks{match, member, max_spectators}, command);
+// ---- people
+
+Answer Gate::operator()(const CreateMatch&) const {
+    return {};  // the table was made for it
+}
+
+Answer Gate::operator()(const JoinMatch&) const {
+    if (table_.roster.open_seat()) return {};
+    return refuse(RejectCode::kMatchFull, "Both seats of this match are taken.");
+}
+
+Answer Gate::operator()(const WatchMatch&) const {
+    if (table_.roster.spectators() < max_spectators_) return {};
+    return refuse(RejectCode::kSpectatorsFull, "This match has as many spectators as it may have.");
+}
+
+Answer Gate::operator()(const Resume& command) const {
+    if (!table_.roster.seats_of(hash_token(command.token)).empty()) return {};
+    return refuse(RejectCode::kBadToken, "The token holds no seat in this match.");
+}
+
+Answer Gate::operator()(const TakeSeat& command) const {
+    if (!table_.roster.holder(command.seat)) return {};
+    return refuse(RejectCode::kSeatTaken, "That seat is taken.");
+}
+
+Answer Gate::operator()(const LeaveSeat& command) const {
+    if (Answer answer = holds(command.seat)) return answer;
+    return no_shot_runs("A seat cannot be left while a shot runs.");
+}
+
+Answer Gate::operator()(const Leave&) const {
+    if (table_.roster.seats_of(member_).empty()) return {};
+    return no_shot_runs("A seat cannot be left while a shot runs.");
+}
+
+Answer Gate::holds(Seat seat) const {
+    if (table_.roster.holds(member_, seat)) return {};
+    return refuse(RejectCode::kNotYourSeat, "You do not hold that seat.");
+}
+
+Answer Gate::no_shot_runs(const char* otherwise) const {
+    if (!table_.playout) return {};
+    return refuse(RejectCode::kWrongPhase, otherwise);
+}
+
+// ---- the game
+
+Answer Gate::operator()(const MakeMove& command) const {
+    if (Answer answer = holds(command.seat)) return answer;
+    if (Answer answer = no_shot_runs(kShotRuns)) return answer;
+    if (phase_of(table_) == Phase::kWaiting)
+        return refuse(RejectCode::kWrongPhase, "A seat is open: the game waits for a player.");
+    if (std::holds_alternative<TimeOut>(command.move))
+        return refuse(RejectCode::kIllegal, "The server keeps the clock: no seat calls time.");
+    // Only a time-out asks for the time.
+    constexpr std::int64_t kAnyTime = std::numeric_limits<std::int64_t>::max();
+    const auto refusal = table_.match.find_fault(command.seat, command.move, kAnyTime);
+    return refusal ? refuse(*refusal) : Answer();
+}
+
+Answer Gate::operator()(const Aim& command) const {
+    // Who may not shoot has nothing to aim.
+    const Shoot shot{Stroke{command.direction, {}}};
+    if (Answer answer = (*this)(MakeMove{command.seat, shot})) return answer;
+    if (!command.cue || table_.match.now().legal.place) return {};
+    return refuse(RejectCode::kIllegal,
+                  "field /cue is not wanted now: the cue ball is not in hand");
 }
 
 }  // namespace poolhall::server

@@ -1,6 +1,7 @@
 #include "server/room/lobby.hpp"
 
-#include <type_traits>
+#include "server/room/gate.hpp"
+
 #include <utility>
 #include <variant>
 
@@ -10,81 +11,57 @@ using protocol::RejectCode;
 
 Lobby::Lobby(LobbyServices services)
     : services_(std::move(services)),
-      room_services_{services_.store, services_.counters, services_.limits,
+      room_services_{services_.store, services_.shards, services_.counters, services_.limits,
                      [this](const Room& room) {
                          const std::lock_guard lock(mutex_);
                          rooms_.erase(room.code());
                          services_.counters.matches.store(static_cast<std::int64_t>(rooms_.size()));
                      }} {}
 
-void Lobby::reopen(Match match) {
+void Lobby::reopen(Table table) {
     const std::lock_guard lock(mutex_);
-    add(std::move(match));
+    add(std::move(table));
 }
 
-std::shared_ptr<Room> Lobby::add(Match match) {
-    const std::string code = match.code();
-    Loop& loop = *services_.loops[next_loop_++ % services_.loops.size()];
-    auto room = std::make_shared<Room>(loop, std::move(match), room_services_);
+std::shared_ptr<Room> Lobby::add(Table table) {
+    const std::string code = table.code;
+    const ShardId shard{next_shard_++ % static_cast<std::uint32_t>(services_.shards.size())};
+    Loop& loop = services_.shards.at(shard).loop();
+    auto room = std::make_shared<Room>(loop, std::move(table), room_services_);
     rooms_[code] = room;
     services_.counters.matches.store(static_cast<std::int64_t>(rooms_.size()));
     return room;
 }
 
-void Lobby::submit(const std::shared_ptr<Room>& current, Request request) {
-    // Copied: the request moves on before the command has been used.
-    const protocol::ClientBody body = request.message.body;
-    std::visit(
-        [&]<class T>(const T& command) {
-            constexpr bool kCreates = std::is_same_v<T, protocol::CreateMatch>;
-            constexpr bool kEnters = requires {
-                command.code;
-            };
-            if constexpr (kCreates || kEnters) {
-                // By the room: it knows where the session stays.
-                if (current)
-                    return current->refuse(
-                        std::move(request),
-                        {RejectCode::kAlreadyInMatch, "You are in a match: leave it first."});
-            }
-            if constexpr (kCreates)
-                create(command, std::move(request));
-            else if constexpr (kEnters)
-                enter(command.code, std::move(request));
-            else if (current)
-                current->submit(std::move(request));
-            else
-                reject(request, {RejectCode::kNotInMatch, "You are in no match."});
-        },
-        body);
+void Lobby::enter(Request request, const protocol::EntryCommand& command) {
+    if (request.standing().room)
+        return std::move(request).reject(
+            {RejectCode::kAlreadyInMatch, "You are in a match: leave it first."});
+    auto room = std::visit([this](const auto& asked) { return room_for(asked); }, command);
+    if (!room) return std::move(request).reject(room.error());
+    (*room)->submit(std::move(request), command);
 }
 
-void Lobby::enter(const std::string& code, Request request) {
-    if (const auto room = find(code)) return room->submit(std::move(request));
-    reject(request, {RejectCode::kUnknownMatch, "No match has this code."});
-}
-
-void Lobby::create(const protocol::CreateMatch& command, Request request) {
-    if (auto refusal = check(command)) return reject(request, std::move(*refusal));
+Lobby::FoundRoom Lobby::room_for(const protocol::CreateMatch& command) {
+    if (auto refusal = check(command)) return *std::move(refusal);
     const std::lock_guard lock(mutex_);
-    if (closed_)
-        return reject(request, {RejectCode::kShuttingDown, "The server is shutting down."});
+    if (closed_) return Refusal{RejectCode::kShuttingDown, "The server is shutting down."};
     if (rooms_.size() >= services_.max_matches)
-        return reject(request,
-                      {RejectCode::kServerFull, "The server has as many matches as it may have."});
+        return Refusal{RejectCode::kServerFull, "The server has as many matches as it may have."};
     std::string code = new_join_code();
     while (rooms_.contains(code))
         code = new_join_code();
-    // Under the lock, so that nobody reaches the room before its creator.
-    add(Match({new_match_id(), std::move(code), find_ruleset(command.game), Seat{0},
-               command.settings.value_or(GameSettings{})}))
-        ->submit(std::move(request));
+    // Nobody else knows the code before its creator does.
+    return add(
+        Table(new_match_id(), std::move(code),
+              {find_ruleset(command.game), Seat{0}, command.settings.value_or(MatchSettings{})}));
 }
 
-std::shared_ptr<Room> Lobby::find(const std::string& code) const {
+Lobby::FoundRoom Lobby::find(const std::string& code) const {
     const std::lock_guard lock(mutex_);
     const auto found = rooms_.find(code);
-    return found == rooms_.end() ? nullptr : found->second;
+    if (found != rooms_.end()) return found->second;
+    return Refusal{RejectCode::kUnknownMatch, "No match has this code."};
 }
 
 void Lobby::close() {
@@ -116,13 +93,6 @@ std::vector<std::shared_ptr<Room>> Lobby::rooms() const {
     for (const auto& [code, room] : rooms_)
         rooms.push_back(room);
     return rooms;
-}
-
-void Lobby::reject(const Request& request, Refusal refusal) {
-    services_.counters.rejects.fetch_add(1, std::memory_order_relaxed);
-    FanOut::send(request.member,
-                 protocol::Reject{request.message.seq, refusal.code, std::move(refusal.reason)});
-    request.done({});
 }
 
 }  // namespace poolhall::server

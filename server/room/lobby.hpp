@@ -1,8 +1,10 @@
 #pragma once
 
 #include "server/room/room.hpp"
+#include "shared/result.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -13,10 +15,10 @@ namespace poolhall::server {
 
 struct LobbyServices {
     ReplayStore& store;
+    Shards& shards;  ///< whose loops matches are dealt out to in turn
     Counters& counters;
     RoomLimits limits;
     std::size_t max_matches = 10000;
-    std::vector<Loop*> loops;  ///< matches are dealt out to these in turn
 };
 
 /// The open matches by their join codes. Safe from any thread; its lock is taken when somebody
@@ -26,10 +28,9 @@ class Lobby {
     explicit Lobby(LobbyServices services);
 
     /// Puts a match that was rebuilt from its log back.
-    void reopen(Match match);
-    /// Brings a command to where it belongs: to `current`, the member's match, or to the match that
-    /// it asks for. Answers at once what no match has to be asked for.
-    void submit(const std::shared_ptr<Room>& current, Request request);
+    void reopen(Table table);
+    /// Brings a member that is in no match to the one that it asks for, or refuses it.
+    void enter(Request request, const protocol::EntryCommand& command);
     /// Takes no new matches any more.
     void close();
     /// Closes what has been left alone for too long.
@@ -39,18 +40,25 @@ class Lobby {
     [[nodiscard]] std::size_t size() const;
 
   private:
-    [[nodiscard]] std::shared_ptr<Room> find(const std::string& code) const;
-    void enter(const std::string& code, Request request);
-    void create(const protocol::CreateMatch& command, Request request);
-    std::shared_ptr<Room> add(Match match);
+    using FoundRoom = Result<std::shared_ptr<Room>, Refusal>;
+
+    [[nodiscard]] FoundRoom room_for(const protocol::CreateMatch& command);
+
+    /// All others name the match that they are for.
+    template <class Entry>
+    [[nodiscard]] FoundRoom room_for(const Entry& command) const {
+        return find(command.code);
+    }
+
+    [[nodiscard]] FoundRoom find(const std::string& code) const;
+    std::shared_ptr<Room> add(Table table);
     [[nodiscard]] std::vector<std::shared_ptr<Room>> rooms() const;
-    void reject(const Request& request, Refusal refusal);
 
     LobbyServices services_;
     RoomServices room_services_;
     mutable std::mutex mutex_;  // guards what follows
     std::map<std::string, std::shared_ptr<Room>> rooms_;
-    std::size_t next_loop_ = 0;
+    std::uint32_t next_shard_ = 0;
     bool closed_ = false;
 };
 

@@ -1,19 +1,21 @@
 #pragma once
 
 #include "protocol/messages.hpp"
-#include "shared/game/game_state.hpp"
+#include "shared/match/match.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <utility>
 
 namespace poolhall::server {
 
-/// A shot that has been simulated to its end and is now shown, tick by tick at kPlayoutHz.
+/// A shot that has been simulated to its end and is now shown, tick by tick at kPlayoutHz. It keeps
+/// the step of the match that the shot will have been once it has been shown.
 class Playout {
   public:
-    /// `outcome.trace` must hold samples at kPlayoutHz. `shot` counts from 1 within the match;
-    /// `cpu` is what its simulation cost.
-    Playout(std::uint32_t shot, ShotOutcome outcome, std::chrono::nanoseconds cpu);
+    /// The step must be that of a shot, with samples at kPlayoutHz. `cpu` is what its simulation
+    /// cost.
+    Playout(MatchStep step, std::chrono::nanoseconds cpu);
 
     /// The frame of `tick`, with all that happened since the last one asked for; ticks may be
     /// skipped. `tick` must lie above the last and not above last_tick().
@@ -28,25 +30,27 @@ class Playout {
     /// Where the balls are now, for those who come late.
     [[nodiscard]] protocol::LiveShot live() const;
 
-    [[nodiscard]] std::uint32_t shot() const { return shot_; }
+    [[nodiscard]] const MatchStep& step() const { return step_; }
 
-    [[nodiscard]] const ShotOutcome& outcome() const { return outcome_; }
+    [[nodiscard]] MatchStep take_step() && { return std::move(step_); }
 
-    [[nodiscard]] std::chrono::nanoseconds cpu() const { return cpu_; }
+    [[nodiscard]] const ShotTaken& shot() const { return *step_.shot(); }
+
+    [[nodiscard]] const ShotTrace& trace() const { return shot().simulated.trace; }
+
+    /// What is told when the shot begins, to those who simulate it themselves with the final hash.
+    [[nodiscard]] protocol::ShotStarted started(protocol::Stream stream) const;
+    /// What is told once it has been shown, but for the table after it.
+    [[nodiscard]] protocol::ShotEnded ended() const;
 
   private:
     /// Where the ball is at the tick, m.
     [[nodiscard]] Vec2 place(std::size_t ball, std::uint32_t tick) const;
 
-    std::uint32_t shot_;
+    MatchStep step_;
+    std::chrono::nanoseconds cpu_;
     std::uint32_t tick_ = 0;
     std::size_t next_event_ = 0;
-    ShotOutcome outcome_;
-    std::chrono::nanoseconds cpu_;
 };
-
-/// `newer` as a client that missed `older` needs it: balls that moved in either, the events of
-/// both. Both belong to one shot, `older` to the earlier tick.
-[[nodiscard]] protocol::Frame merge(const protocol::Frame& older, const protocol::Frame& newer);
 
 }  // namespace poolhall::server

@@ -1,7 +1,9 @@
 #include "server/room/rebuild.hpp"
 
-#include "shared/physics/scene/trace.hpp"
+#include "shared/math/state_hash.hpp"
+#include "shared/physics/edition.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -12,6 +14,7 @@ namespace {
 using protocol::EndRecord;
 using protocol::GameRecord;
 using protocol::MatchRecord;
+using protocol::MoveRecord;
 using protocol::SeatRecord;
 using protocol::ShotRecord;
 
@@ -23,87 +26,74 @@ class Rebuilder {
     explicit Rebuilder(const StoredMatch& stored) : stored_(stored) {}
 
     Fault operator()(const MatchRecord& record) {
-        if (rules_) return "a second match record";
-        rules_ = find_ruleset(record.game);
-        if (!rules_) return "the game '" + record.game + "' is unknown";
-        settings_ = record.settings.value_or(GameSettings{});
-        if (const auto fault = check(*rules_, settings_))
+        if (table_) return "a second match record";
+        const Ruleset* rules = find_ruleset(record.game);
+        if (!rules) return "the game '" + record.game + "' is unknown";
+        const MatchSettings settings = record.settings.value_or(MatchSettings{});
+        if (const auto fault = check(*rules, settings))
             return "its settings' " + fault->pointer + " " + fault->reason;
-        return {};
-    }
-
-    Fault operator()(const GameRecord& record) {
-        if (!rules_) return "a game before the match record";
-        if (!match_) {
-            match_.emplace(MatchSpec{stored_.id, stored_.code, rules_, record.first, settings_});
-            return {};
-        }
-        if (match_->phase() != protocol::Phase::kOver || record.first != match_->next_first())
-            return "game " + std::to_string(record.game_number) +
-                   " does not follow from the one before";
-        match_->start_next_game();
+        if (!record.first) return "its log is of an older version";
+        table_.emplace(stored_.id, stored_.code, MatchSpec{rules, *record.first, settings});
         return {};
     }
 
     Fault operator()(const SeatRecord& record) {
-        if (!match_) return "a seat before the first game";
-        if (match_->holder(record.seat)) match_->leave_seat(record.seat);
+        if (!table_) return "a seat before the match record";
+        if (table_->roster.holder(record.seat)) table_->leave_seat(record.seat);
         // The token of the last holder; those before have left and need none.
         if (!record.name.empty())
-            match_->take_seat(record.seat,
+            table_->take_seat(record.seat,
                               {record.name, stored_.seats[record.seat.value].token_hash, {}});
         return {};
     }
 
-    Fault operator()(const ShotRecord& record) {
-        const std::string shot = "shot " + std::to_string(record.shot);
-        if (!match_ || record.shot != match_->shots() + 1) return shot + " is out of order";
-        if (Fault fault = place_as_in(record.scene)) return shot + fault.value();
-        const ShotCommand command{record.scene.strike ? record.scene.strike->direction : Vec2{}};
-        if (match_->rules().check_shot(match_->game(), command)) return shot + " is not legal";
-        ShotOutcome outcome = match_->rules().play(match_->game(), command);
-        if (hash_of(outcome.scene) != record.scene_hash) return shot + " starts from another scene";
-        if (outcome.trace.hash != record.final_hash)
-            return shot + " DIVERGED: logged " + to_hex(record.final_hash) + ", simulated " +
-                   to_hex(outcome.trace.hash);
-        if (outcome.ruling != record.ruling) return shot + " was ruled otherwise";
-        match_->start_shot(std::move(outcome), {});
-        match_->finish_shot();
+    Fault operator()(const MoveRecord& record) {
+        if (!table_) return "a move before the match record";
+        const std::string move = "move " + std::to_string(table_->match.moves().size() + 1);
+        if (record.shot && record.shot->shot != table_->match.now().shots + 1)
+            return move + " is out of order";
+        // A clock that was set back between two servers does not undo a time-out.
+        const std::int64_t at =
+            std::max(record.at_ms, table_->match.clock_ends_ms().value_or(record.at_ms));
+        if (table_->match.find_fault(record.seat, record.move, at)) return move + " is not legal";
+        MatchStep step = play(record, at);
+        step.made.at_ms = record.at_ms;
+        if (hash_of(step.after.game) != record.state_hash)
+            return move + " DIVERGED: logged " + to_hex(record.state_hash) + ", played " +
+                   to_hex(hash_of(step.after.game));
+        table_->commit(std::move(step), record.at_ms);
         return {};
     }
 
     Fault operator()(const EndRecord&) { return "it has ended"; }
 
-    [[nodiscard]] std::optional<Match>& match() { return match_; }
+    Fault operator()(const GameRecord&) { return "its log is of an older version"; }
+
+    Fault operator()(const ShotRecord&) { return "its log is of an older version"; }
+
+    [[nodiscard]] std::optional<Table>& table() { return table_; }
 
   private:
-    /// Where the cue ball was put is not logged by itself: the shot's scene has it.
-    Fault place_as_in(const Scene& scene) {
-        const std::size_t cue = match_->game().cue_ball.value;
-        if (cue >= scene.balls.size()) return " has no cue ball";
-        const Vec2 placed = xy(scene.balls[cue].state.r);
-        if (placed == match_->cue_ball()) return {};
-        GameState trial = match_->game();
-        if (match_->rules().place_cue_ball(trial, placed))
-            return " has the cue ball where it may not be";
-        match_->place_cue_ball(placed);
-        return {};
+    /// A shot of another physics is taken as it was recorded.
+    [[nodiscard]] MatchStep play(const MoveRecord& record, std::int64_t at_ms) const {
+        if (!record.shot || record.shot->edition == kPhysicsEdition)
+            return table_->match.play(record.seat, record.move, at_ms);
+        Turn turn{record.state, record.ruling, SimulatedShot{table_->match.now().game.scene, {}}};
+        return table_->match.recorded({record.seat, record.move, at_ms, record.state_hash}, turn);
     }
 
     const StoredMatch& stored_;
-    const Ruleset* rules_ = nullptr;
-    GameSettings settings_;
-    std::optional<Match> match_;
+    std::optional<Table> table_;
 };
 
 }  // namespace
 
-Result<Match, std::string> rebuild(const StoredMatch& stored) {
+Result<Table, std::string> rebuild(const StoredMatch& stored) {
     Rebuilder rebuilder(stored);
     for (const auto& record : stored.records)
         if (Fault fault = std::visit(rebuilder, record)) return *fault + ".";
-    if (!rebuilder.match()) return std::string("It has no game.");
-    return *std::move(rebuilder.match());
+    if (!rebuilder.table()) return std::string("It has no game.");
+    return *std::move(rebuilder.table());
 }
 
 }  // namespace poolhall::server

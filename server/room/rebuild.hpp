@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/room/match.hpp"
+#include "server/room/table.hpp"
 #include "server/store/replay_store.hpp"
 #include "shared/result.hpp"
 
@@ -8,9 +8,9 @@
 
 namespace poolhall::server {
 
-/// A match as it stood when its log ended. Every shot is played again by the rules and must give
-/// the logged hashes and ruling; a shot that was durable but not yet shown is part of the history.
-/// All seats are reserved, nobody is connected. The error is one sentence that names the shot.
-[[nodiscard]] Result<Match, std::string> rebuild(const StoredMatch& stored);
+/// A table as it stood when its log ended. Every move is played again by the rules and must give
+/// the logged state; a shot that was durable but not yet shown is part of the history. All seats
+/// are reserved, nobody is connected. The error is one sentence that names the move.
+[[nodiscard]] Result<Table, std::string> rebuild(const StoredMatch& stored);
 
 }  // namespace poolhall::server

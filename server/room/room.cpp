@@ -1,11 +1,10 @@
 #include "server/room/room.hpp"
 
 #include "server/base/identity.hpp"
+#include "server/room/gate.hpp"
 
 #include <algorithm>
 #include <spdlog/spdlog.h>
-#include <utility>
-#include <variant>
 
 namespace poolhall::server {
 
@@ -24,11 +23,13 @@ constexpr std::chrono::milliseconds kDesertedTimeout = std::chrono::seconds(10);
 
 }  // namespace
 
-Room::Room(Loop& loop, Match match, const RoomServices& services)
+Room::Room(Loop& loop, Table table, const RoomServices& services)
     : loop_(loop),
-      match_(std::move(match)),
+      table_(std::move(table)),
       services_(services),
+      followers_(services.shards),
       playout_timer_(loop),
+      clock_timer_(loop),
       aim_(loop, kAimInterval, [this] { announce_aim(); }),
       spectators_(loop, kSpectatorsInterval, [this] { announce_table(); }) {
     update_summary();
@@ -36,19 +37,15 @@ Room::Room(Loop& loop, Match match, const RoomServices& services)
 
 // ---- one at a time
 
-void Room::submit(Request request) {
-    enqueue([this, request = std::move(request)] { handle(request); });
-}
-
-void Room::refuse(Request request, Refusal refusal) {
-    enqueue([this, request = std::move(request), refusal = std::move(refusal)] {
-        reject(request, refusal);
+void Room::submit(Request request, RoomCommand command) {
+    enqueue([this, request = std::move(request), command = std::move(command)]() mutable {
+        handle(std::move(request), command);
     });
 }
 
 void Room::disconnect(MemberId member) {
     enqueue([this, member] {
-        match_.disconnect(member);
+        table_.roster.disconnect(member);
         remove(member);
     });
 }
@@ -56,14 +53,7 @@ void Room::disconnect(MemberId member) {
 void Room::sweep() {
     enqueue([this] {
         if (!closed_ && abandoned())
-            close(match_.deserted() ? "everybody left" : "nobody came back");
-    });
-}
-
-void Room::enqueue(Loop::Task task) {
-    loop_.post([self = shared_from_this(), task = std::move(task)]() mutable {
-        self->queue_.push_back(std::move(task));
-        self->pump();
+            close(table_.roster.deserted() ? "everybody left" : "nobody came back");
     });
 }
 
@@ -75,17 +65,17 @@ void Room::pump() {
     }
 }
 
-void Room::store(std::vector<StoreJob> jobs, std::function<void(std::optional<std::string>)> then) {
+void Room::store_all(std::vector<StoreJob> jobs, std::function<void(StoreError)> then) {
     struct Progress {
         std::size_t left;
-        std::optional<std::string> error;
+        StoreError error;
     };
 
     storing_ = true;
     const auto progress = std::make_shared<Progress>(Progress{jobs.size(), {}});
     // Each completion comes back to the loop, so that `progress` needs no lock.
     const auto done = [self = shared_from_this(), progress,
-                       then = std::move(then)](std::optional<std::string> error) {
+                       then = std::move(then)](StoreError error) {
         self->loop_.post([self, progress, then, error = std::move(error)] {
             if (error && !progress->error) progress->error = error;
             if (--progress->left > 0) return;
@@ -98,69 +88,58 @@ void Room::store(std::vector<StoreJob> jobs, std::function<void(std::optional<st
         services_.store.submit(std::move(job), done);
 }
 
-void Room::handle(const Request& request) {
-    if (closed_) return reject(request, {RejectCode::kUnknownMatch, "The match has been closed."});
-    if (auto refusal =
-            check(match_, request.member.id, request.message.body, services_.limits.max_spectators))
-        return reject(request, std::move(*refusal));
-    std::visit([&](const auto& command) { on(request, command); }, request.message.body);
+void Room::handle(Request request, const RoomCommand& command) {
+    if (closed_)
+        return std::move(request).reject({RejectCode::kUnknownMatch, "The match has been closed."});
+    const Gate gate(table_, request.member().id, services_.limits.max_spectators);
+    const auto carry_out = [&](const auto& leaf) {
+        if (auto refusal = gate(leaf)) return std::move(request).reject(*std::move(refusal));
+        on(std::move(request), leaf);
+    };
+    std::visit([&](const auto& group) { std::visit(carry_out, group); }, command);
 }
 
 // ---- telling
 
 void Room::announce_table() {
-    if (!followers_.empty()) followers_.send(protocol::TableChanged{match_.table()});
+    keep_clock();
+    if (!followers_.empty()) followers_.send(protocol::TableChanged{state_of(table_, unix_ms())});
     update_summary();
 }
 
 void Room::announce_aim() {
-    if (match_.phase() != protocol::Phase::kAiming) return;
-    followers_.send(protocol::AimChanged{match_.game().turn, match_.aim(), match_.cue_ball()});
-}
-
-void Room::accept(const Request& request) {
-    FanOut::send(request.member, protocol::Accepted{request.message.seq});
-}
-
-void Room::reject(const Request& request, Refusal refusal) {
-    services_.counters.rejects.fetch_add(1, std::memory_order_relaxed);
-    FanOut::send(request.member,
-                 protocol::Reject{request.message.seq, refusal.code, std::move(refusal.reason)});
-    finish(request);
-}
-
-/// Where the member is now: whoever follows is in the match.
-void Room::finish(const Request& request) {
-    if (!followers_.find(request.member.id)) return request.done({});
-    request.done({shared_from_this(), !match_.seats_of(request.member.id).empty()});
+    if (phase_of(table_) != protocol::Phase::kAiming) return;
+    followers_.send(protocol::AimChanged{table_.match.now().legal.seat, table_.aim.direction,
+                                         shown_cue_ball(table_)});
 }
 
 // ---- the end, and the list
 
 bool Room::abandoned() const {
-    if (!followers_.empty() || match_.playout()) return false;
+    if (!followers_.empty() || table_.playout) return false;
     std::chrono::milliseconds linger = services_.limits.idle_timeout;
-    if (match_.phase() == protocol::Phase::kOver) linger = std::min(linger, kFinishedTimeout);
-    if (match_.deserted()) linger = std::min(linger, kDesertedTimeout);
+    if (phase_of(table_) == protocol::Phase::kOver) linger = std::min(linger, kFinishedTimeout);
+    if (table_.roster.deserted()) linger = std::min(linger, kDesertedTimeout);
     return Clock::now() - empty_since_ >= linger;
 }
 
 void Room::close(const std::string& reason) {
-    store({CloseMatchJob{match_.id(), {reason, unix_ms()}}}, [this, reason](const auto& error) {
+    store({CloseMatchJob{table_.id, {reason, unix_ms()}}}, [this, reason](const auto& error) {
         // Then the next server finds it open, and closes it when nobody comes.
-        if (error) spdlog::warn("match {}: its end could not be stored: {}", match_.id(), *error);
+        if (error) spdlog::warn("match {}: its end could not be stored: {}", table_.id, *error);
         closed_ = true;
+        clock_timer_.cancel();
         aim_.cancel();
         spectators_.cancel();
-        spdlog::info("match {} closed: {}", match_.id(), reason);
+        spdlog::info("match {} closed: {}", table_.id, reason);
         services_.closed(*this);
     });
 }
 
 void Room::update_summary() {
-    const protocol::TableState table = match_.table();
+    const protocol::TableState table = state_of(table_, unix_ms());
     const std::lock_guard lock(summary_mutex_);
-    summary_ = {table.match,       match_.open_seat() ? std::string() : table.code,
+    summary_ = {table.match,       table_.roster.open_seat() ? std::string() : table.code,
                 table.game,        table.phase,
                 table.seats,       table.spectators,
                 table.game_number, table.shot};

@@ -1,21 +1,23 @@
 #pragma once
 
+#include "protocol/replay/record.hpp"
 #include "server/base/counters.hpp"
 #include "server/delivery/fan_out.hpp"
-#include "server/delivery/outlet.hpp"
 #include "server/net/loop.hpp"
-#include "server/room/gate.hpp"
-#include "server/room/match.hpp"
+#include "server/room/request.hpp"
+#include "server/room/table.hpp"
 #include "server/store/replay_store.hpp"
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace poolhall::server {
@@ -26,7 +28,7 @@ struct MatchSummary {
     std::string code;  ///< empty while a seat is open: a code read off a list may watch, not join
     std::string game;
     protocol::Phase phase = protocol::Phase::kWaiting;
-    std::array<protocol::SeatInfo, kSeatCount> seats;
+    PerSeat<protocol::SeatInfo> seats;
     std::uint32_t spectators = 0;
     std::uint32_t game_number = 1;
     std::uint32_t shots = 0;
@@ -40,81 +42,92 @@ struct RoomLimits {
 /// What all rooms share; outlives them.
 struct RoomServices {
     ReplayStore& store;
+    Shards& shards;
     Counters& counters;
     RoomLimits limits;
     std::function<void(const Room&)> closed;  ///< called once a room has closed itself
 };
 
-/// A match on its loop: takes commands one at a time, makes what they do durable before anyone sees
-/// it, plays shots out and tells those who follow.
+/// What a room answers.
+using RoomCommand = std::variant<protocol::EntryCommand, protocol::SeatCommand,
+                                 protocol::TurnCommand, protocol::TableTalk>;
+
+/// A table on its loop: takes commands one at a time, makes what they do durable before anyone sees
+/// it, plays shots out, keeps the shot clock and tells those who follow.
 ///
 /// Commands wait while the store writes for the one before, so a command that fails to be stored
 /// has changed nothing.
 class Room : public std::enable_shared_from_this<Room> {
   public:
-    Room(Loop& loop, Match match, const RoomServices& services);
+    Room(Loop& loop, Table table, const RoomServices& services);
 
     // Safe from any thread.
-    void submit(Request request);
-    /// Answers a command of a follower that is refused before it comes to the match, in its turn.
-    void refuse(Request request, Refusal refusal);
+    void submit(Request request, RoomCommand command);
     /// The member's connection is gone.
     void disconnect(MemberId member);
     /// Closes the match if nobody has been connected for long enough.
     void sweep();
     [[nodiscard]] MatchSummary summary() const;
 
-    [[nodiscard]] const std::string& code() const { return match_.code(); }
+    [[nodiscard]] const std::string& code() const { return table_.code; }
 
   private:
     using Clock = LoopTimer::Clock;
+    using StoreError = JobFailure;
 
-    void enqueue(Loop::Task task);
+    /// Does `task` on the loop, in its turn.
+    template <class Task>
+    void enqueue(Task task);
     void pump();
-    /// Stores the jobs, then goes on with `then`, on the loop; the queue waits for it.
-    void store(std::vector<StoreJob> jobs,
-               std::function<void(std::optional<std::string> error)> then);
+    /// Stores the jobs, then goes on with `then(error)`, on the loop; the queue waits for it.
+    template <class Then>
+    void store(std::vector<StoreJob> jobs, Then then);
+    void store_all(std::vector<StoreJob> jobs, std::function<void(StoreError)> then);
 
-    void handle(const Request& request);
-    void on(const Request& request, const protocol::CreateMatch& command);
-    void on(const Request& request, const protocol::JoinMatch& command);
-    void on(const Request& request, const protocol::WatchMatch& command);
-    void on(const Request& request, const protocol::Resume& command);
-    void on(const Request& request, const protocol::TakeSeat& command);
-    void on(const Request& request, const protocol::LeaveSeat& command);
-    void on(const Request& request, const protocol::Aim& command);
-    void on(const Request& request, const protocol::PlaceCueBall& command);
-    void on(const Request& request, const protocol::Shoot& command);
-    void on(const Request& request, const protocol::Rematch& command);
-    void on(const Request& request, const protocol::Leave& command);
-    void on(const Request& request, const protocol::Ping& command);
+    void handle(Request request, const RoomCommand& command);
+    // Each has passed the gate.
+    void on(Request request, const protocol::CreateMatch& command);
+    void on(Request request, const protocol::JoinMatch& command);
+    void on(Request request, const protocol::WatchMatch& command);
+    void on(Request request, const protocol::Resume& command);
+    void on(Request request, const protocol::TakeSeat& command);
+    void on(Request request, const protocol::LeaveSeat& command);
+    void on(Request request, const protocol::Leave& command);
+    void on(Request request, const protocol::MakeMove& command);
+    void on(Request request, const protocol::Aim& command);
 
+    // ---- people
     struct Admission;
-    void admit(const Request& request, const Admission& admission);
-    void joined(const Request& request, protocol::Stream stream, const std::string& token);
+    void admit(Request request, Admission admission);
+    void enter(Request request, protocol::Stream stream, std::string token);
+    [[nodiscard]] protocol::Joined joined(MemberId member, std::string token) const;
     void replace(MemberId member);
     [[nodiscard]] SeatHolder newcomer(MemberId member, const std::string& token) const;
     [[nodiscard]] StoreJob seat_job(Seat seat, const std::string& name,
                                     const TokenHash& token) const;
-    [[nodiscard]] StoreJob shot_job(const ShotOutcome& outcome, Seat seat) const;
+    [[nodiscard]] Standing standing_of(MemberId member);
+    void remove(MemberId member);
 
-    void start_shot(ShotOutcome outcome, Seat seat, std::chrono::nanoseconds cpu);
+    // ---- the game
+    [[nodiscard]] StoreJob move_job(const MatchStep& step) const;
+    void take(MatchStep step, std::chrono::nanoseconds cpu);
+    void start_shot(MatchStep step, std::chrono::nanoseconds cpu);
     void schedule_tick();
     void tick();
-    void start_next_game(const Request& request);
+    void finish_shot();
+    void keep_clock();
+    void ring_clock(Clock::time_point at);
+    void time_out();
+
+    // ---- telling, and the end
     void announce_table();
     void announce_aim();
     void update_summary();
-    void remove(MemberId member);
-    void close(const std::string& reason);
     [[nodiscard]] bool abandoned() const;
-
-    void accept(const Request& request);
-    void reject(const Request& request, Refusal refusal);
-    void finish(const Request& request);
+    void close(const std::string& reason);
 
     Loop& loop_;
-    Match match_;
+    Table table_;
     const RoomServices& services_;
     FanOut followers_;
     std::deque<Loop::Task> queue_;
@@ -125,11 +138,29 @@ class Room : public std::enable_shared_from_this<Room> {
     LoopTimer playout_timer_;
     Clock::time_point playout_start_;
     std::uint32_t due_tick_ = 0;  ///< that the playout timer is set to
+    LoopTimer clock_timer_;
+    bool clock_runs_ = false;
     Throttle aim_;
     Throttle spectators_;
 
     mutable std::mutex summary_mutex_;
     MatchSummary summary_;
 };
+
+// A loop's tasks are copied, what a request goes with is not.
+
+template <class Task>
+void Room::enqueue(Task task) {
+    loop_.post([self = shared_from_this(), shared = std::make_shared<Task>(std::move(task))] {
+        self->queue_.emplace_back([shared] { (*shared)(); });
+        self->pump();
+    });
+}
+
+template <class Then>
+void Room::store(std::vector<StoreJob> jobs, Then then) {
+    store_all(std::move(jobs), [shared = std::make_shared<Then>(std::move(then))](
+                                   const StoreError& error) { (*shared)(error); });
+}
 
 }  // namespace poolhall::server

@@ -4,7 +4,6 @@
 #include "server/room/room.hpp"
 
 #include <spdlog/spdlog.h>
-#include <utility>
 
 namespace poolhall::server {
 
@@ -16,140 +15,149 @@ struct Room::Admission {
     Seat seat;
     std::string name;
     Stream stream = Stream::kStates;
-    std::vector<StoreJob> before;  ///< stored ahead of the seat
+    std::optional<StoreJob> creation;  ///< stored ahead of the seat
 };
 
-void Room::on(const Request& request, const protocol::CreateMatch& command) {
-    protocol::MatchRecord record{match_.id(), std::string(match_.rules().name),
-                                 std::string(kServerName), unix_ms()};
-    if (match_.settings() != GameSettings{}) record.settings = match_.settings();
-    const protocol::GameRecord game{match_.game_number(), match_.game().turn};
-    admit(request, {Seat{0},
-                    command.name,
-                    command.stream,
-                    {CreateMatchJob{match_.code(), record}, AppendGameJob{match_.id(), game}}});
+void Room::on(Request request, const protocol::CreateMatch& command) {
+    protocol::MatchRecord record;
+    record.match = table_.id;
+    record.game = table_.match.rules().name;
+    record.server = kServerName;
+    record.created_ms = unix_ms();
+    if (table_.match.settings() != MatchSettings{}) record.settings = table_.match.settings();
+    record.first = table_.match.now().first;
+    admit(std::move(request),
+          {Seat{0}, command.name, command.stream, CreateMatchJob{table_.code, std::move(record)}});
 }
 
-void Room::on(const Request& request, const protocol::JoinMatch& command) {
-    admit(request, {*match_.open_seat(), command.name, command.stream, {}});
+void Room::on(Request request, const protocol::JoinMatch& command) {
+    admit(std::move(request), {*table_.roster.open_seat(), command.name, command.stream, {}});
 }
 
-void Room::admit(const Request& request, const Admission& admission) {
-    const std::string token = new_token();
-    SeatHolder holder{admission.name, hash_token(token), request.member.id};
-    std::vector<StoreJob> jobs = admission.before;
+void Room::admit(Request request, Admission admission) {
+    std::string token = new_token();
+    SeatHolder holder{admission.name, hash_token(token), request.member().id};
+    std::vector<StoreJob> jobs;
+    const bool creates = admission.creation.has_value();
+    if (creates) jobs.push_back(*std::move(admission.creation));
     jobs.push_back(seat_job(admission.seat, holder.name, holder.token));
-    const bool created = !admission.before.empty();
-    store(std::move(jobs),
-          [=, this, seat = admission.seat, stream = admission.stream](const auto& error) {
-              if (error) {
-                  reject(request, {RejectCode::kStorage, *error});
-                  if (created) close("it could not be stored");
-                  return;
-              }
-              match_.take_seat(seat, holder);
-              spdlog::info("match {} {}: {} takes seat {}", match_.id(),
-                           created ? "created" : "joined", in_quotes(holder.name), seat.value);
-              joined(request, stream, token);
-          });
+    store(std::move(jobs), [=, this, request = std::move(request), seat = admission.seat,
+                            stream = admission.stream](const auto& error) mutable {
+        if (error) {
+            std::move(request).reject({RejectCode::kStorage, *error});
+            if (creates) close("it could not be stored");
+            return;
+        }
+        spdlog::info("match {} {}: {} takes seat {}", table_.id, creates ? "created" : "joined",
+                     in_quotes(holder.name), seat.value);
+        table_.take_seat(seat, std::move(holder));
+        enter(std::move(request), stream, std::move(token));
+    });
 }
 
-void Room::on(const Request& request, const protocol::WatchMatch& command) {
-    match_.watch(request.member.id, command.name);
-    joined(request, command.stream, {});
+void Room::on(Request request, const protocol::WatchMatch& command) {
+    table_.roster.watch(request.member().id, command.name);
+    enter(std::move(request), command.stream, {});
 }
 
-void Room::on(const Request& request, const protocol::Resume& command) {
-    if (const auto replaced = match_.resume(hash_token(command.token), request.member.id))
-        replace(*replaced);
-    joined(request, command.stream, command.token);
+void Room::on(Request request, const protocol::Resume& command) {
+    const auto replaced = table_.roster.resume(hash_token(command.token), request.member().id);
+    if (replaced) replace(*replaced);
+    enter(std::move(request), command.stream, command.token);
 }
 
 /// A newer connection has the seats: the older must not come back and take them again.
 void Room::replace(MemberId member) {
     if (const Member* older = followers_.find(member))
-        older->loop->post([outlet = older->outlet] {
-            outlet->close(CloseReason::kPolicy, "Your seat was resumed from another connection.");
+        services_.shards.post(*older, [](Outlet& outlet) {
+            outlet.close(CloseReason::kPolicy, "Your seat was resumed from another connection.");
         });
     followers_.remove(member);
 }
 
-void Room::joined(const Request& request, Stream stream, const std::string& token) {
-    const bool seated = !match_.seats_of(request.member.id).empty();
+void Room::enter(Request request, Stream stream, std::string token) {
+    const Member member = request.member();
     // To the others first: the newcomer's table already has itself in it.
-    if (seated)
+    if (!table_.roster.seats_of(member.id).empty())
         announce_table();
     else
         spectators_.request();
-    FanOut::send(request.member,
-                 protocol::Joined{request.message.seq, token, match_.seats_of(request.member.id),
-                                  match_.table()});
-    followers_.add(request.member, stream);
-    finish(request);
+    followers_.add(member, stream);
+    std::move(request).join(joined(member.id, std::move(token)), standing_of(member.id));
+}
+
+protocol::Joined Room::joined(MemberId member, std::string token) const {
+    return {0, std::move(token), table_.roster.seats_of(member), state_of(table_, unix_ms())};
+}
+
+Standing Room::standing_of(MemberId member) {
+    return {shared_from_this(), !table_.roster.seats_of(member).empty()};
 }
 
 /// A spectator, who may have come without a name, as a player.
 SeatHolder Room::newcomer(MemberId member, const std::string& token) const {
-    std::string name = match_.spectator_name(member);
+    std::string name = table_.roster.spectator_name(member);
     return {name.empty() ? "Guest" : std::move(name), hash_token(token), member};
 }
 
-void Room::on(const Request& request, const protocol::TakeSeat& command) {
-    const auto seats = match_.seats_of(request.member.id);
-    const bool seated = !seats.empty();
+void Room::on(Request request, const protocol::TakeSeat& command) {
+    const MemberId member = request.member().id;
+    const auto seats = table_.roster.seats_of(member);
     // One token for all of a person's seats; a spectator has none yet and is answered with one.
-    const std::string token = seated ? std::string() : new_token();
-    const SeatHolder holder =
-        seated ? *match_.holder(seats.front()) : newcomer(request.member.id, token);
-    store({seat_job(command.seat, holder.name, holder.token)}, [=, this](const auto& error) {
-        if (error) return reject(request, {RejectCode::kStorage, *error});
-        match_.take_seat(command.seat, holder);
-        if (seated)
-            accept(request);
+    std::string token = seats.empty() ? new_token() : std::string();
+    SeatHolder holder =
+        seats.empty() ? newcomer(member, token) : *table_.roster.holder(seats.front());
+    StoreJob job = seat_job(command.seat, holder.name, holder.token);
+    store({std::move(job)}, [=, this, request = std::move(request)](const auto& error) mutable {
+        if (error) return std::move(request).reject({RejectCode::kStorage, *error});
+        table_.take_seat(command.seat, std::move(holder));
+        keep_clock();
+        if (token.empty())
+            std::move(request).accept(standing_of(member));
         else
-            FanOut::send(request.member,
-                         protocol::Joined{request.message.seq, token,
-                                          match_.seats_of(request.member.id), match_.table()});
+            std::move(request).join(joined(member, std::move(token)), standing_of(member));
         announce_table();
-        finish(request);
     });
 }
 
-void Room::on(const Request& request, const protocol::LeaveSeat& command) {
-    store({seat_job(command.seat, {}, {})}, [=, this](const auto& error) {
-        if (error) return reject(request, {RejectCode::kStorage, *error});
-        match_.leave_seat(command.seat);
-        accept(request);
-        announce_table();
-        finish(request);
-    });
+void Room::on(Request request, const protocol::LeaveSeat& command) {
+    store({seat_job(command.seat, {}, {})},
+          [=, this, request = std::move(request)](const auto& error) mutable {
+              if (error) return std::move(request).reject({RejectCode::kStorage, *error});
+              const MemberId member = request.member().id;
+              table_.leave_seat(command.seat);
+              std::move(request).accept(standing_of(member));
+              announce_table();
+          });
 }
 
-void Room::on(const Request& request, const protocol::Leave&) {
-    const auto leave = [=, this](const std::optional<std::string>& error) {
-        if (error) return reject(request, {RejectCode::kStorage, *error});
-        match_.leave(request.member.id);
-        accept(request);
-        remove(request.member.id);
-        request.done({});
-    };
+void Room::on(Request request, const protocol::Leave&) {
     std::vector<StoreJob> jobs;
-    for (const Seat seat : match_.seats_of(request.member.id))
+    for (const Seat seat : table_.roster.seats_of(request.member().id))
         jobs.push_back(seat_job(seat, {}, {}));
-    if (jobs.empty()) return leave({});
-    store(std::move(jobs), leave);
+    const bool nothing_to_store = jobs.empty();
+    auto leave = [this, request = std::move(request)](const StoreError& error) mutable {
+        if (error) return std::move(request).reject({RejectCode::kStorage, *error});
+        const MemberId member = request.member().id;
+        table_.leave(member);
+        std::move(request).accept({});
+        remove(member);
+    };
+    if (nothing_to_store) return leave({});
+    store(std::move(jobs), std::move(leave));
 }
 
 void Room::remove(MemberId member) {
     if (!followers_.find(member)) return;
     followers_.remove(member);
     empty_since_ = Clock::now();
-    if (match_.deserted() && followers_.empty() && !closed_) return close("everybody left");
+    if (table_.roster.deserted() && followers_.empty() && !closed_) return close("everybody left");
+    keep_clock();
     spectators_.request();
 }
 
 StoreJob Room::seat_job(Seat seat, const std::string& name, const TokenHash& token) const {
-    return SetSeatJob{match_.id(), {seat, name}, token};
+    return SetSeatJob{table_.id, {seat, name}, token};
 }
 
 }  // namespace poolhall::server

@@ -1,6 +1,6 @@
 #include "server/session/session.hpp"
 
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 #include "protocol/limits.hpp"
 #include "server/base/identity.hpp"
 #include "server/delivery/outbox.hpp"
@@ -43,7 +43,7 @@ constexpr int kSendBufferBytes = 32 * 1024;
 class Session final : public Outlet, public std::enable_shared_from_this<Session> {
   public:
     Session(net::Socket socket, AcceptedHandshake handshake, Shard& shard,
-            ConnectionServices& services);
+            SessionServices& services);
 
     net::Async<void> run(HttpRequest upgrade);
 
@@ -57,7 +57,13 @@ class Session final : public Outlet, public std::enable_shared_from_this<Session
     void end();
     net::Async<void> read();
     net::Async<void> receive(std::string_view bytes);
-    net::Async<Standing> execute(ClientMessage message);
+    // What becomes of the session by a command.
+    net::Async<Standing> carry_out(std::uint32_t seq, const protocol::Ping& command);
+    net::Async<Standing> carry_out(std::uint32_t seq, const protocol::EntryCommand& command);
+    template <class Command>
+    net::Async<Standing> carry_out(std::uint32_t seq, const Command& command);
+    template <class Submit>
+    net::Async<Standing> submit(std::uint32_t seq, Submit submit);
     void send(const ServerMessage& message);
     void reject(std::uint32_t seq, RejectCode code, std::string reason);
     void write_next();
@@ -68,7 +74,7 @@ class Session final : public Outlet, public std::enable_shared_from_this<Session
     MemberId id_;
     AcceptedHandshake handshake_;
     Shard& shard_;
-    ConnectionServices& services_;
+    SessionServices& services_;
 
     Standing standing_;
     std::uint32_t last_seq_ = 0;
@@ -83,7 +89,7 @@ class Session final : public Outlet, public std::enable_shared_from_this<Session
 };
 
 Session::Session(net::Socket socket, AcceptedHandshake handshake, Shard& shard,
-                 ConnectionServices& services)
+                 SessionServices& services)
     : stream_(std::move(socket)),
       id_{services.last_member.fetch_add(1) + 1},
       handshake_(handshake),
@@ -132,14 +138,14 @@ void Session::configure() {
 }
 
 void Session::begin() {
-    shard_.sessions[id_] = weak_from_this();
+    shard_.add(id_, weak_from_this());
     services_.counters.sessions.fetch_add(1);
     spdlog::debug("session {} begins", id_.value);
     send(protocol::Welcome{std::string(kServerName), protocol::kVersion});
 }
 
 void Session::end() {
-    shard_.sessions.erase(id_);
+    shard_.remove(id_);
     services_.counters.sessions.fetch_sub(1);
     spdlog::debug("session {} ends", id_.value);
     if (standing_.room) standing_.room->disconnect(id_);
@@ -188,22 +194,41 @@ net::Async<void> Session::receive(std::string_view bytes) {
         co_return;
     }
     last_seq_ = message->seq;
-    if (std::holds_alternative<protocol::Ping>(message->body))
-        send(protocol::Pong{message->seq});
-    else
-        standing_ = co_await execute(std::move(*message));
+    standing_ = co_await std::visit(
+        [&](const auto& command) { return carry_out(message->seq, command); }, message->body);
 }
 
-/// Hands the command on and waits until it has been answered.
-net::Async<Standing> Session::execute(ClientMessage message) {
+net::Async<Standing> Session::carry_out(std::uint32_t seq, const protocol::Ping&) {
+    send(protocol::Pong{seq});
+    co_return standing_;
+}
+
+net::Async<Standing> Session::carry_out(std::uint32_t seq, const protocol::EntryCommand& command) {
+    return submit(seq, [&lobby = services_.lobby, command](Request request) {
+        lobby.enter(std::move(request), command);
+    });
+}
+
+/// All else is for the match that the session is in.
+template <class Command>
+net::Async<Standing> Session::carry_out(std::uint32_t seq, const Command& command) {
+    return submit(seq, [room = standing_.room, command](Request request) {
+        if (room) return room->submit(std::move(request), command);
+        std::move(request).reject({RejectCode::kNotInMatch, "You are in no match."});
+    });
+}
+
+/// Hands a command on and waits until it has been answered.
+template <class Submit>
+net::Async<Standing> Session::submit(std::uint32_t seq, Submit submit) {
     return net::await_callback<Standing>(
-        [self = shared_from_this(), message = std::move(message)](auto resume) {
-            Loop& loop = self->shard_.loop;
-            const auto done = [&loop, resume](Standing standing) {
+        [self = shared_from_this(), seq, submit = std::move(submit)](auto resume) {
+            const auto done = [&loop = self->shard_.loop(), resume](Standing standing) {
                 loop.post([resume, standing = std::move(standing)] { resume(standing); });
             };
-            const Member member{self->id_, &loop, self, self->handshake_.encoding};
-            self->services_.lobby.submit(self->standing_.room, {member, message, done});
+            const Member member{self->id_, self->shard_.id(), self->handshake_.encoding};
+            submit(Request({self->services_.shards, self->services_.counters, member, seq,
+                            self->standing_, done}));
         });
 }
 
@@ -264,7 +289,7 @@ void Session::close(CloseReason reason, const std::string& sentence) {
     closing_ = reason;
     write_next();
     // A peer that does not read cannot be told; it is cut off.
-    cut_off_ = std::make_unique<LoopTimer>(shard_.loop);
+    cut_off_ = std::make_unique<LoopTimer>(shard_.loop());
     cut_off_->at(Clock::now() + kCloseTimeout, [this] { abort(); });
 }
 
@@ -276,7 +301,7 @@ void Session::abort() {
 }  // namespace
 
 net::Async<void> run_session(net::Socket socket, HttpRequest upgrade, AcceptedHandshake handshake,
-                             Shard& shard, ConnectionServices& services) {
+                             Shard& shard, SessionServices& services) {
     const auto session = std::make_shared<Session>(std::move(socket), handshake, shard, services);
     co_await session->run(std::move(upgrade));
 }

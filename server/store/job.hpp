@@ -23,14 +23,9 @@ struct SetSeatJob {
     std::string token_hash;  ///< private: never exported
 };
 
-struct AppendGameJob {
+struct AppendMoveJob {
     std::string match;  ///< id
-    protocol::GameRecord record;
-};
-
-struct AppendShotJob {
-    std::string match;  ///< id
-    protocol::ShotRecord record;
+    protocol::MoveRecord record;
 };
 
 /// Ends a match; its code is free again.
@@ -39,8 +34,7 @@ struct CloseMatchJob {
     protocol::EndRecord record;
 };
 
-using StoreJob =
-    std::variant<CreateMatchJob, SetSeatJob, AppendGameJob, AppendShotJob, CloseMatchJob>;
+using StoreJob = std::variant<CreateMatchJob, SetSeatJob, AppendMoveJob, CloseMatchJob>;
 
 /// Nothing if a job was done, or one sentence why nothing of it was stored.
 using JobFailure = std::optional<std::string>;

@@ -65,17 +65,10 @@ JobFailure JobStatements::apply_job(const SetSeatJob& job) {
     return std::nullopt;
 }
 
-JobFailure JobStatements::apply_job(const AppendGameJob& job) {
+JobFailure JobStatements::apply_job(const AppendMoveJob& job) {
     const auto match = find_open(job.match);
     if (!match) return no_open_match(job.match);
-    append(*match, job.record);
-    return std::nullopt;
-}
-
-JobFailure JobStatements::apply_job(const AppendShotJob& job) {
-    const auto match = find_open(job.match);
-    if (!match) return no_open_match(job.match);
-    execute(count_shot_, match->num);
+    if (job.record.shot) execute(count_shot_, match->num);
     append(*match, job.record);
     return std::nullopt;
 }

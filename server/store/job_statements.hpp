@@ -28,8 +28,7 @@ class JobStatements {
 
     JobFailure apply_job(const CreateMatchJob& job);
     JobFailure apply_job(const SetSeatJob& job);
-    JobFailure apply_job(const AppendGameJob& job);
-    JobFailure apply_job(const AppendShotJob& job);
+    JobFailure apply_job(const AppendMoveJob& job);
     JobFailure apply_job(const CloseMatchJob& job);
 
     std::optional<OpenMatch> find_open(const std::string& id);

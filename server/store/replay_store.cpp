@@ -23,6 +23,10 @@ void ReplayStore::submit(StoreJob job, StoreCompletion completion) {
     writer_->submit(std::move(job), std::move(completion));
 }
 
+void ReplayStore::flush() {
+    writer_->flush();
+}
+
 std::size_t ReplayStore::backlog() const {
     return writer_->backlog();
 }

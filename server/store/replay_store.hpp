@@ -64,6 +64,9 @@ class ReplayStore {
     /// ones.
     void submit(StoreJob job, StoreCompletion completion);
 
+    /// Waits until all that was queued is done and every completion has been called.
+    void flush();
+
     /// Jobs that are queued and not yet begun.
     [[nodiscard]] std::size_t backlog() const;
 

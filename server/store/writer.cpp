@@ -28,6 +28,11 @@ void ReplayStore::Writer::submit(StoreJob job, StoreCompletion completion) {
     completion("the replay store cannot keep up: " + std::to_string(max_queued_) + " jobs wait");
 }
 
+void ReplayStore::Writer::flush() {
+    std::unique_lock lock(mutex_);
+    idle_.wait(lock, [this] { return queue_.empty() && !writing_; });
+}
+
 std::size_t ReplayStore::Writer::backlog() const {
     const std::lock_guard lock(mutex_);
     return queue_.size();
@@ -50,7 +55,10 @@ void ReplayStore::Writer::run() {
 /// All that is queued; empty when the store closes.
 std::vector<ReplayStore::Writer::Queued> ReplayStore::Writer::wait_for_jobs() {
     std::unique_lock lock(mutex_);
+    writing_ = false;
+    if (queue_.empty()) idle_.notify_all();
     wake_.wait(lock, [this] { return stopping_ || !queue_.empty(); });
+    writing_ = !queue_.empty();
     return std::exchange(queue_, {});
 }
 

@@ -24,6 +24,7 @@ class ReplayStore::Writer {
     Writer& operator=(Writer&&) = delete;
 
     void submit(StoreJob job, StoreCompletion completion);
+    void flush();
     [[nodiscard]] std::size_t backlog() const;
 
   private:
@@ -39,7 +40,9 @@ class ReplayStore::Writer {
     std::size_t max_queued_;
     mutable std::mutex mutex_;
     std::condition_variable wake_;
+    std::condition_variable idle_;
     std::vector<Queued> queue_;  ///< guarded by mutex_
+    bool writing_ = false;       ///< guarded by mutex_
     bool stopping_ = false;      ///< guarded by mutex_
     std::thread thread_;         ///< last: it uses all the others
 };

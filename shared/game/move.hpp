@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/enum_names.hpp"
 #include "shared/math/vec2.hpp"
 
 #include <cstdint>
@@ -48,6 +49,10 @@ enum class Accord : std::uint8_t {
     kRematch,  ///< another game, once one is over
 };
 
+constexpr auto enum_names(Accord /*type*/) {
+    return names_of<Accord>({{Accord::kRematch, "rematch"}});
+}
+
 /// One seat's consent; the other's brings it about.
 struct Agree {
     static constexpr std::string_view kType = "agree";
@@ -65,8 +70,5 @@ struct TimeOut {
 
 /// The list of moves.
 using Move = std::variant<Shoot, Place, Concede, Agree, TimeOut>;
-
-/// "rematch".
-[[nodiscard]] std::string_view name(Accord accord);
 
 }  // namespace poolhall

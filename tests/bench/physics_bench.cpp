@@ -1,8 +1,8 @@
 // What the simulation costs. Every benchmark checks its answer before it times it. CSV:
 // --benchmark_format=csv; the compiler, its flags and the processor stand in the context.
 
-#include "client/lab/bench_scenes.hpp"
-#include "client/lab/build_info.hpp"
+#include "client/lab/corpora/bench_scenes.hpp"
+#include "client/lab/output/build_info.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/physics/contact/time_of_impact.hpp"
 #include "shared/physics/simulate.hpp"

@@ -1,6 +1,6 @@
 #include "tests/e2e/protocol_client.hpp"
 
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 #include "protocol/limits.hpp"
 
 #include <variant>

@@ -1,7 +1,7 @@
 #include "tests/fuzz/targets.hpp"
 
-#include "protocol/codec.hpp"
-#include "protocol/scene_json.hpp"
+#include "protocol/codec/codec.hpp"
+#include "protocol/codec/scene_json.hpp"
 #include "protocol/tree.hpp"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "client/lab/build_info.hpp"
+#include "client/lab/output/build_info.hpp"
 #include "tests/e2e/server_process.hpp"
 #include "tests/load/player.hpp"
 #include "tests/load/process_cost.hpp"

@@ -1,4 +1,4 @@
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 
 #include <gtest/gtest.h>
 #include <limits>

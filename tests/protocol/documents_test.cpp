@@ -1,6 +1,6 @@
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 #include "protocol/limits.hpp"
-#include "protocol/wire/enums.hpp"
+#include "protocol/messages.hpp"
 #include "tests/protocol/types.hpp"
 
 #include <fstream>
@@ -73,9 +73,8 @@ TEST(ProtocolPage, HasAGoodExampleOfEachServerMessage) {
 
 template <class E>
 void expect_names(const std::string& text) {
-    for (unsigned i = 0; i <= static_cast<unsigned>(wire::kLast<E>); ++i) {
-        using wire::name;
-        const std::string quoted = "`" + std::string(name(static_cast<E>(i))) + "`";
+    for (const E value : kValues<E>) {
+        const std::string quoted = "`" + std::string(poolhall::name(value)) + "`";
         EXPECT_NE(text.find(quoted), std::string::npos) << quoted;
     }
 }

@@ -1,4 +1,4 @@
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 #include "protocol/limits.hpp"
 #include "tests/protocol/random_messages.hpp"
 

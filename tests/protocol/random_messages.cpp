@@ -1,7 +1,8 @@
 #include "tests/protocol/random_messages.hpp"
 
 #include "protocol/limits.hpp"
-#include "protocol/wire/enums.hpp"
+#include "protocol/messages.hpp"
+#include "shared/physics/check.hpp"
 
 #include <array>
 #include <string>
@@ -12,7 +13,10 @@ namespace {
 
 template <class E>
 E any_of(Random& random) {
-    return static_cast<E>(random.below(static_cast<std::size_t>(wire::kLast<E>) + 1));
+    for (;;) {
+        const E value = kValues<E>[random.below(kCount<E>)];
+        if (!poolhall::name(value).empty()) return value;
+    }
 }
 
 std::uint32_t number(Random& random) {

@@ -1,4 +1,4 @@
-#include "protocol/result_json.hpp"
+#include "protocol/codec/result_json.hpp"
 
 #include "protocol/text.hpp"
 #include "shared/physics/simulate.hpp"

@@ -36,6 +36,19 @@ def validator(name):
     return jsonschema.Draft202012Validator(root, resolver=resolver)
 
 
+def knows(root, part, steps):
+    """Whether a value at the pointer's steps is one that the schema's part describes."""
+    if "$ref" in part:
+        return knows(root, root["$defs"][part["$ref"].rsplit("/", 1)[1]], steps)
+    if not steps:
+        return True
+    if any(knows(root, choice, steps) for choice in part.get("anyOf", [])):
+        return True
+    below = part.get("items") if steps[0].isdigit() else part.get("properties", {}).get(steps[0])
+    return below is not None and knows(root, below, steps[1:])
+
+
+KEYS = ("default", "minimum", "exclusiveMinimum", "maximum")
 CATALOG = samples("catalog")[0]
 MESSAGES = samples("messages", str(ROUNDS))
 # One of each kind, and of `move` one with each kind of move.
@@ -71,6 +84,25 @@ class Schemas(unittest.TestCase):
                     self.assertEqual(set(described["properties"]), set(fields))
                     required = {field for field, is_required in fields.items() if is_required}
                     self.assertEqual(set(described["required"]), required)
+
+    def test_have_the_bounds_defaults_and_units_of_the_code(self):
+        root = schema("scene.json")
+        for part, fields in CATALOG["listed"].items():
+            described = root["$defs"][part] if part else root
+            for field, listed in fields.items():
+                with self.subTest(part=part, field=field):
+                    found = described["properties"][field]
+                    bounds = {key: found[key] for key in KEYS if key in found}
+                    self.assertEqual(bounds, {key: listed[key] for key in KEYS if key in listed})
+                    self.assertIn(listed["unit"], found.get("description", ""))
+
+    def test_know_every_field_of_a_scene(self):
+        root, check = schema("scene.json"), validator("scene.json")
+        leaves = samples("leaves")
+        self.assertGreater(len(leaves), 60)
+        for leaf in leaves:
+            check.validate(leaf["scene"])
+            self.assertTrue(knows(root, root, leaf["pointer"].split("/")[1:]), leaf["pointer"])
 
     def test_accept_what_the_code_sends(self):
         validators = {side: validator(f"{side}-message.json") for side in ("client", "server")}
@@ -173,6 +205,17 @@ def names_in_rows(text):
 
 
 class Page(unittest.TestCase):
+    def test_has_a_row_with_the_parameters_and_defaults_of_each_effect(self):
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        part = page[page.index("#### Effects"): page.index("### Settings")]
+        rows = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", part, re.M))
+        self.assertEqual(list(rows), list(CATALOG["parts"]["scene.json"]["effects"]))
+        for effect, text in rows.items():
+            for field, listed in CATALOG["listed"][effect].items():
+                self.assertIn(f"`{field}`", text)
+                if "default" in listed:
+                    self.assertIn(f"`{field}` ({listed['default']:g}", text, effect)
+
     def sections(self):
         """The text below each heading, up to the next heading of any level."""
         page = (FOLDER / "PROTOCOL.md").read_text()

@@ -1,6 +1,6 @@
 #include "server/room/playout.hpp"
 
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 #include "protocol/limits.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"

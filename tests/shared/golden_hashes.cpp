@@ -1,7 +1,7 @@
 // Prints `name hash` for each corpus of shots. tests/golden/hashes.txt holds what every compiler,
 // optimisation level and processor must print.
 
-#include "client/lab/corpora.hpp"
+#include "client/lab/corpora/corpora.hpp"
 #include "shared/physics/scene/trace.hpp"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/lab/random.hpp"
+#include "client/lab/corpora/random.hpp"
 
 namespace poolhall::testing {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/lab/scene_makers.hpp"
+#include "client/lab/corpora/scene_makers.hpp"
 #include "tests/shared/random.hpp"
 
 namespace poolhall::testing {

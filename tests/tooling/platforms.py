@@ -10,7 +10,7 @@ from pathlib import Path
 
 from sources import ROOT, files
 
-PROGRAM = [ROOT / "tests/shared/golden_hashes.cpp", ROOT / "client/lab/corpora.cpp"]
+PROGRAM = [ROOT / "tests/shared/golden_hashes.cpp", ROOT / "client/lab/corpora/corpora.cpp"]
 COMMON = ["-std=c++20", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-I", str(ROOT), "-c"]
 RUN_LIMIT_S = 300  # many times what the slowest, qemu, takes: only a hang reaches it
 

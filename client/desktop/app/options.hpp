@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/desktop/net/server_address.hpp"
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 #include "shared/game/settings.hpp"
 #include "shared/result.hpp"
 

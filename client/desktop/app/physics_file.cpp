@@ -1,6 +1,6 @@
 #include "client/desktop/app/physics_file.hpp"
 
-#include "protocol/scene_json.hpp"
+#include "protocol/codec/scene_json.hpp"
 #include "protocol/text.hpp"
 #include "protocol/tree.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "client/desktop/net/server_address.hpp"
 #include "client/play/transport.hpp"
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 
 #include <functional>
 #include <memory>

@@ -21,7 +21,7 @@ inline constexpr std::array kKeyTable{
     KeyRow{"F2", "Show or hide the frame rate, the solver and the kernel"},
     KeyRow{"F3", "Step mode: Space moves on by 1/30 s, rings show the way"},
     KeyRow{"F4", "Collision mode: yellow circles where balls hit something"},
-    KeyRow{"F5", "The last shot by other solvers: paths, cost, distance; again: more of them"},
+    KeyRow{"F5", "The last shot by other solvers, with cost and distance; again for more"},
     KeyRow{"H", "Play both seats, or give the other seat back"},
     KeyRow{"C", "Copy the join code"},
     KeyRow{"M", "Sound off or on"},

@@ -2,9 +2,9 @@
 
 #include "client/lab/accuracy/accuracy_table.hpp"
 #include "client/lab/accuracy/side_runs.hpp"
-#include "client/lab/long_run.hpp"
-#include "client/lab/progress.hpp"
-#include "client/lab/result_files.hpp"
+#include "client/lab/output/result_files.hpp"
+#include "client/lab/run/long_run.hpp"
+#include "client/lab/run/progress.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -2,7 +2,7 @@
 
 #include "client/compare/contenders.hpp"
 #include "client/compare/number_text.hpp"
-#include "client/lab/columns.hpp"
+#include "client/lab/output/columns.hpp"
 
 namespace poolhall::lab {
 

@@ -2,8 +2,8 @@
 
 #include "client/lab/accuracy/results.hpp"
 #include "client/lab/ensembles/ensembles.hpp"
-#include "client/lab/progress.hpp"
-#include "client/lab/run_plan.hpp"
+#include "client/lab/run/progress.hpp"
+#include "client/lab/run/run_plan.hpp"
 
 #include <optional>
 #include <vector>

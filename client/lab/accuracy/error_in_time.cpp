@@ -1,7 +1,7 @@
 #include "client/lab/accuracy/error_in_time.hpp"
 
 #include "client/lab/accuracy/true_course.hpp"
-#include "client/lab/progress.hpp"
+#include "client/lab/run/progress.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/lab/build_info.hpp"
+#include "client/lab/output/build_info.hpp"
 #include "client/lab/statistics/order_fit.hpp"
 #include "client/lab/statistics/quantiles.hpp"
 #include "shared/physics/scene/scene.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/lab/accuracy/results.hpp"
-#include "client/lab/bench_clock.hpp"
+#include "client/lab/run/bench_clock.hpp"
 #include "shared/physics/scene/trace.hpp"
 
 #include <cstddef>

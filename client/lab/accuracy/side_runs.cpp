@@ -1,7 +1,7 @@
 #include "client/lab/accuracy/side_runs.hpp"
 
-#include "client/lab/bench_scenes.hpp"
-#include "client/lab/scene_makers.hpp"
+#include "client/lab/corpora/bench_scenes.hpp"
+#include "client/lab/corpora/scene_makers.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>

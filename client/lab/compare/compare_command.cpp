@@ -4,8 +4,8 @@
 #include "client/files/output_file.hpp"
 #include "client/lab/compare/comparison_text.hpp"
 #include "client/lab/compare/picture.hpp"
-#include "client/lab/scene_source.hpp"
-#include "protocol/scene_json.hpp"
+#include "client/lab/input/scene_source.hpp"
+#include "protocol/codec/scene_json.hpp"
 #include "protocol/wire/scene_fields.hpp"
 
 #include <filesystem>

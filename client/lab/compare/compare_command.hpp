@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/lab/status.hpp"
+#include "client/lab/run/status.hpp"
 #include "shared/physics/scene/scene.hpp"
 
 #include <ostream>

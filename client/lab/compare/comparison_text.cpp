@@ -1,8 +1,8 @@
 #include "client/lab/compare/comparison_text.hpp"
 
 #include "client/compare/number_text.hpp"
-#include "client/lab/columns.hpp"
-#include "client/lab/scene_source.hpp"
+#include "client/lab/input/scene_source.hpp"
+#include "client/lab/output/columns.hpp"
 #include "shared/analysis/agreement.hpp"
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 
 #include "client/compare/number_text.hpp"
 #include "client/lab/compare/table_drawing.hpp"
-#include "client/lab/scene_source.hpp"
+#include "client/lab/input/scene_source.hpp"
+#include "client/text/text_line.hpp"
 #include "shared/analysis/agreement.hpp"
 #include "shared/analysis/paths.hpp"
 
@@ -243,6 +244,7 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count
 
 Result<std::string, PictureError> picture_of(const Scene& scene, const Contest& contest,
                                              PictureFormat format) {
+    if (!client::has_fonts()) return PictureError{std::string(client::kNoFonts)};
     const Page page(scene, contest);
     const double height = std::ceil(page.height());
     std::string bytes;

@@ -1,7 +1,7 @@
 #include "client/lab/effects/callgrind.hpp"
 
-#include "client/lab/progress.hpp"
-#include "protocol/scene_json.hpp"
+#include "client/lab/run/progress.hpp"
+#include "protocol/codec/scene_json.hpp"
 
 #include <array>
 #include <cerrno>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "client/lab/bench_clock.hpp"
 #include "client/lab/effects/callgrind.hpp"
 #include "client/lab/effects/effects_results.hpp"
+#include "client/lab/run/bench_clock.hpp"
 #include "shared/physics/scene/scene.hpp"
 
 #include <string_view>

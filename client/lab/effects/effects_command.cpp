@@ -4,9 +4,9 @@
 #include "client/lab/effects/effect_cases.hpp"
 #include "client/lab/effects/effect_prices.hpp"
 #include "client/lab/effects/effects_results.hpp"
-#include "client/lab/long_run.hpp"
-#include "client/lab/progress.hpp"
-#include "client/lab/result_files.hpp"
+#include "client/lab/output/result_files.hpp"
+#include "client/lab/run/long_run.hpp"
+#include "client/lab/run/progress.hpp"
 #include "shared/analysis/agreement.hpp"
 #include "shared/physics/simulate.hpp"
 

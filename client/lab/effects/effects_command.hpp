@@ -1,7 +1,7 @@
 #pragma once
 
-#include "client/lab/run_plan.hpp"
-#include "client/lab/status.hpp"
+#include "client/lab/run/run_plan.hpp"
+#include "client/lab/run/status.hpp"
 
 #include <ostream>
 #include <string>

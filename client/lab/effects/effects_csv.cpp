@@ -1,5 +1,5 @@
-#include "client/lab/csv_line.hpp"
 #include "client/lab/effects/effects_results.hpp"
+#include "client/lab/output/csv_line.hpp"
 
 #include <iomanip>
 #include <limits>

@@ -1,5 +1,5 @@
 #include "client/lab/effects/effects_results.hpp"
-#include "client/lab/result_json.hpp"
+#include "client/lab/output/result_json.hpp"
 
 namespace poolhall::lab {
 

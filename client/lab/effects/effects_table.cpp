@@ -1,6 +1,6 @@
 #include "client/compare/number_text.hpp"
-#include "client/lab/columns.hpp"
 #include "client/lab/effects/effects_results.hpp"
+#include "client/lab/output/columns.hpp"
 
 namespace poolhall::lab {
 

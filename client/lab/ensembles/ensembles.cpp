@@ -1,7 +1,7 @@
 #include "client/lab/ensembles/ensembles.hpp"
 
-#include "client/lab/bench_scenes.hpp"
-#include "client/lab/scene_makers.hpp"
+#include "client/lab/corpora/bench_scenes.hpp"
+#include "client/lab/corpora/scene_makers.hpp"
 #include "shared/analysis/agreement.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/math/state_hash.hpp"

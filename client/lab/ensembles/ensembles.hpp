@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/lab/random.hpp"
+#include "client/lab/corpora/random.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/physics/scene/trace.hpp"
 

@@ -1,7 +1,7 @@
 #include "client/compare/contenders.hpp"
 
 #include "client/compare/number_text.hpp"
-#include "client/lab/scene_makers.hpp"
+#include "client/lab/corpora/scene_makers.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <array>

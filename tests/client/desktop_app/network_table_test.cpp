@@ -91,9 +91,32 @@ TEST_F(NetworkTableTest, StepModeStepsThroughWhatWasReceivedAndSendsNothing) {
     for (int step = 0; step < 400 && !playback_.idle(); ++step)
         controller_.act(Action::kGo);
     run(1);
+    EXPECT_FALSE(controller_.view().aim) << "the last step is still looked at";
+    for (int press = 0; press < 10; ++press) {
+        controller_.act(Action::kGo);
+        run(20);
+    }
+    EXPECT_EQ(sent_shots(), 0U);
+    run(60);
+    controller_.act(Action::kGo);
     EXPECT_TRUE(controller_.view().aim);
+    run(60);
     controller_.act(Action::kGo);
     EXPECT_EQ(sent_shots(), 1U);
+}
+
+TEST_F(NetworkTableTest, StepsThroughOnesOwnShotDoNotShootForTheOtherSeatOfAHotSeat) {
+    enter({Seat{0}, Seat{1}});
+    controller_.act(Action::kStepMode);
+    say_all(messages_of_shot(new_table(), kStraight));
+    run(120);
+    for (int step = 0; step < 1000; ++step) {
+        controller_.act(Action::kGo);
+        run(6);
+    }
+    EXPECT_TRUE(playback_.idle());
+    EXPECT_EQ(match_.info().acting_seat(), Seat{1});
+    EXPECT_EQ(sent_shots(), 0U);
 }
 
 TEST_F(NetworkTableTest, StepBeforeItsTickArrivesSaysSo) {

@@ -80,10 +80,9 @@ TEST(PracticePhysics, AreNamedWhereTheyAreNotTheGamesOwn) {
     Practice own({});
     own.pass(0.1);
     EXPECT_EQ(own.controller.view().physics, "");
-    own.controller.act(Action::kFrameRate);
-    EXPECT_EQ(own.controller.view().physics, "euler 30 Hz");
+    EXPECT_EQ(own.controller.view(60).physics, "euler 30 Hz") << "beside the frame rate";
     own.shoot_to_the_end({1, 0.3});
-    EXPECT_EQ(own.controller.view().physics, "euler 30 Hz, drag_rails_pockets");
+    EXPECT_EQ(own.controller.view(60).physics, "euler 30 Hz, drag_rails_pockets");
 
     Practice chosen(test::pool_settings());
     chosen.pass(0.1);

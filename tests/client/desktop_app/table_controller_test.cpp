@@ -150,6 +150,95 @@ TEST_F(PracticeTest, StepModeHoldsTimeAndLeavesARingPerMovingBall) {
     EXPECT_EQ(controller_.view().trail.size(), 2U);
 }
 
+/// Steps to the end of a shot, and looks at it.
+class EndOfSteps : public PracticeTest {
+  protected:
+    void SetUp() override {
+        press(SDLK_F3);
+        shoot_and_step({0, 1});
+    }
+
+    void shoot_and_step(Vec2 direction) {
+        aim(direction);
+        press(SDLK_SPACE);
+        ASSERT_FALSE(playback_.idle());
+        while (!playback_.idle())
+            press(SDLK_SPACE);
+        run(0.05);
+    }
+
+    [[nodiscard]] std::uint32_t shots() const { return match_.info().table->shot; }
+};
+
+TEST_F(EndOfSteps, SpaceThatGoesOnBeingPressedNeverShoots) {
+    const std::uint32_t before = shots();
+    for (int i = 0; i < 200; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_EQ(shots(), before);
+    EXPECT_TRUE(playback_.idle());
+}
+
+TEST_F(EndOfSteps, SpaceGoesBackToTheTableAndThenShoots) {
+    EXPECT_NE(controller_.view().hint.find("End of the shot"), std::string::npos);
+    EXPECT_FALSE(controller_.view().aim);
+    run(1);
+    EXPECT_FALSE(controller_.view().aim) << "it stays until it is left";
+    press(SDLK_SPACE);
+    EXPECT_TRUE(playback_.idle());
+    EXPECT_TRUE(controller_.view().aim);
+    EXPECT_NE(controller_.view().hint.find("Space shoots"), std::string::npos);
+    run(1);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
+TEST_F(EndOfSteps, NeitherKeysNorMouseTouchTheNextShot) {
+    run(1);
+    const Vec2 aimed = match_.info().table->aim;
+    hold(SDLK_LEFT, 0.5);
+    controller_.pointer_moved({0.1, 0.1});
+    controller_.pointer_pressed({0.1, 0.1});
+    EXPECT_EQ(match_.info().table->aim, aimed);
+    EXPECT_TRUE(playback_.idle());
+    EXPECT_TRUE(controller_.view().aim) << "the click goes back to the table";
+}
+
+TEST_F(EndOfSteps, LeavingStepModeLeavesItToo) {
+    press(SDLK_F3);
+    EXPECT_TRUE(controller_.view().aim);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
+TEST_F(PracticeTest, SpaceAfterTheLastStepOfAGameStartsNoShotOfTheNext) {
+    press(SDLK_F3);
+    aim(direction_with(Verdict::kScratch));
+    press(SDLK_SPACE);
+    run(0.1);
+    while (!playback_.idle())
+        press(SDLK_SPACE);
+    ASSERT_TRUE(controller_.view().banner);
+    for (int i = 0; i < 10; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_TRUE(controller_.view().banner) << "nobody had the time to read it";
+    run(1);
+    press(SDLK_SPACE);
+    run(0.1);
+    EXPECT_FALSE(controller_.view().banner);
+    for (int i = 0; i < 10; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_TRUE(playback_.idle());
+    run(1);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
 TEST_F(PracticeTest, LeavingStepModeGoesOnAtNormalSpeed) {
     press(SDLK_F3);
     press(SDLK_SPACE);
@@ -228,25 +317,6 @@ TEST_F(PracticeTest, WinIsCountedOnceEverythingRests) {
     for (const Heard& heard : controller_.take_heard())
         announced += std::holds_alternative<GameEnded>(heard) ? 1 : 0;
     EXPECT_EQ(announced, 1);
-}
-
-TEST_F(PracticeTest, TogglesTurnOnAndOff) {
-    for (int round = 0; round < 2; ++round) {
-        const bool on = round == 0;
-        press(SDLK_F1);
-        press(SDLK_F2);
-        press(SDLK_m);
-        EXPECT_EQ(controller_.view().help, on);
-        EXPECT_EQ(controller_.shows_frame_rate(), on);
-        EXPECT_EQ(controller_.view().muted, on);
-    }
-}
-
-TEST_F(PracticeTest, SpaceClosesTheHelpBeforeItShoots) {
-    press(SDLK_F1);
-    press(SDLK_SPACE);
-    EXPECT_FALSE(controller_.view().help);
-    EXPECT_TRUE(playback_.idle());
 }
 
 TEST_F(PracticeTest, MouseAimsShootsAndDragsTheCueBall) {

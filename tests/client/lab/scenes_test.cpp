@@ -1,6 +1,6 @@
 // The named scenes show what they are named for, by every solver that they fit.
 
-#include "protocol/scene_json.hpp"
+#include "protocol/codec/scene_json.hpp"
 #include "protocol/tree.hpp"
 #include "shared/physics/simulate.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "protocol/codec.hpp"
+#include "protocol/codec/codec.hpp"
 #include "protocol/limits.hpp"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "shared/analysis/paths.hpp"
 
-#include "client/lab/scene_makers.hpp"
+#include "client/lab/corpora/scene_makers.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "client/lab/accuracy/accuracy_command.hpp"
 
-#include "client/lab/result_files.hpp"
+#include "client/lab/output/result_files.hpp"
 
 #include <algorithm>
 #include <csignal>

@@ -1,7 +1,7 @@
 #include "client/lab/accuracy/shot_errors.hpp"
 
+#include "client/lab/corpora/scene_makers.hpp"
 #include "client/lab/ensembles/ensembles.hpp"
-#include "client/lab/scene_makers.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <gtest/gtest.h>

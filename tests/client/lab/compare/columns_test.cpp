@@ -1,4 +1,4 @@
-#include "client/lab/columns.hpp"
+#include "client/lab/output/columns.hpp"
 
 #include <gtest/gtest.h>
 #include <sstream>

@@ -1,7 +1,7 @@
 #include "client/lab/compare/comparison_text.hpp"
 
-#include "client/lab/scene_source.hpp"
-#include "protocol/scene_json.hpp"
+#include "client/lab/input/scene_source.hpp"
+#include "protocol/codec/scene_json.hpp"
 
 #include <array>
 #include <fstream>

@@ -1,8 +1,8 @@
 #include "client/lab/ensembles/unfolding.hpp"
 
+#include "client/lab/corpora/scene_makers.hpp"
 #include "client/lab/ensembles/ensembles.hpp"
 #include "client/lab/reference/reference.hpp"
-#include "client/lab/scene_makers.hpp"
 #include "shared/analysis/agreement.hpp"
 #include "shared/physics/simulate.hpp"
 

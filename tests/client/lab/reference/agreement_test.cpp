@@ -1,6 +1,6 @@
 // The event solver in doubles against its reference.
 
-#include "client/lab/scene_makers.hpp"
+#include "client/lab/corpora/scene_makers.hpp"
 #include "tests/client/lab/reference/exact_shot.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The numbers of the second compilation, of which this is a part: here `poolhall` says
 // poolhall_113.
 
-#include "client/lab/random.hpp"
+#include "client/lab/corpora/random.hpp"
 #include "client/lab/reference/simulation_113.hpp"
 #include "shared/math/double_double.hpp"
 #include "shared/math/elementary.hpp"

@@ -1,6 +1,6 @@
 // The reference in 113 bits against numbers that were computed in another way, to 1e-30 and better.
 
-#include "client/lab/scene_makers.hpp"
+#include "client/lab/corpora/scene_makers.hpp"
 #include "tests/client/lab/reference/exact_shot.hpp"
 #include "tests/shared/quad_shots.hpp"
 

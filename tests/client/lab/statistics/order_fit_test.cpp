@@ -1,6 +1,6 @@
 #include "client/lab/statistics/order_fit.hpp"
 
-#include "client/lab/random.hpp"
+#include "client/lab/corpora/random.hpp"
 
 #include <algorithm>
 #include <array>
