@@ -2,8 +2,8 @@
 
 #include "client/files/output_file.hpp"
 #include "client/replay/report.hpp"
-#include "client/replay/verifier.hpp"
 #include "protocol/archive/archive.hpp"
+#include "protocol/replay/log_follower.hpp"
 #include "protocol/replay/reader.hpp"
 #include "protocol/text.hpp"
 
@@ -70,42 +70,48 @@ std::string title(const ReplayChoice& choice) {
 Status finish(const ReplayTool& tool, const protocol::ReplayReader& reader,
               const ReplayChoice& choice) {
     if (!reader.damage()) return Status::kGood;
-    return fail(tool, title(choice) + " is damaged: " + reader.damage()->text());
+    const bool newer = reader.damage()->kind == protocol::DamageKind::kUnknownVersion;
+    return fail(tool, title(choice) + (newer ? " cannot be read: " : " is damaged: ") +
+                          reader.damage()->text());
 }
 
-/// How a verification went, shot by shot.
+/// How a verification went, record by record.
 struct Tally {
     std::uint32_t shots = 0;
-    std::uint32_t diverged = 0;
-    std::uint32_t first = 0;  ///< number of the first shot that diverged
+    std::uint32_t elsewhere = 0;  ///< shots that another edition played, with another result
+    std::uint32_t diverged = 0;   ///< records
+    std::string first;            ///< the first record that diverged
 
-    void count(const ShotReport& report) {
-        ++shots;
-        if (report.divergences.empty()) return;
-        if (diverged++ == 0) first = report.shot;
+    void count(const protocol::Followed& followed) {
+        if (followed.shot) ++shots;
+        if (!followed.found.deviations.empty()) {
+            if (diverged++ == 0) first = followed.subject;
+        } else if (followed.shot && !followed.shot->as_recorded) {
+            ++elsewhere;
+        }
     }
 
     [[nodiscard]] std::string text() const {
         std::string text = std::to_string(shots) + (shots == 1 ? " shot, " : " shots, ");
-        if (diverged == 0) return text + "all as recorded";
-        return text + std::to_string(diverged) + " diverged, the first is shot " +
-               std::to_string(first);
+        if (elsewhere > 0)
+            text += std::to_string(elsewhere) + " with another result by another edition, ";
+        if (diverged == 0) return text + (elsewhere > 0 ? "none diverged" : "all as recorded");
+        return text + std::to_string(diverged) + " diverged, the first is " + first;
     }
 };
 
 Status verify(const ReplayTool& tool, std::istream& input, const ReplayChoice& choice) {
     protocol::ReplayReader reader(input);
-    Verifier verifier;
+    protocol::LogFollower follower;
     Tally tally;
     while (const auto numbered = reader.next()) {
-        const auto report = verifier.follow(numbered->record);
-        if (numbered->n == 1 && !verifier.knows_rules()) {
+        const auto followed = follower.follow(numbered->record);
+        if (numbered->n == 1 && !follower.knows_rules()) {
             tool.out << "the rules of this game are not known here: only the shots themselves are "
                         "checked\n";
         }
-        if (!report) continue;
-        print_report(tool.out, *report);
-        tally.count(*report);
+        print_followed(tool.out, followed);
+        tally.count(followed);
     }
     tool.out << title(choice) << ": " << tally.text();
     tool.out << (reader.ended() || reader.damage() ? "\n" : "; the match has no end record yet\n");

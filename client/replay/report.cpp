@@ -4,6 +4,7 @@
 #include "protocol/text.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <iomanip>
@@ -31,6 +32,10 @@ std::string players(const std::array<std::string, kSeatCount>& names) {
     return name(names[0]) + " / " + name(names[1]);
 }
 
+std::string score(const PerSeat<std::uint32_t>& wins) {
+    return std::to_string(wins[0]) + ":" + std::to_string(wins[1]);
+}
+
 std::string fixed(double number, int digits) {
     // Wide enough for the largest double; what is printed is far shorter.
     std::array<char, 400> text{};
@@ -52,6 +57,75 @@ std::string solver_text(const SolverSpec& solver) {
     return kind + rate.data();
 }
 
+/// A row of the table of shots; both versions have these columns.
+struct ShotRow {
+    std::uint32_t shot = 0;
+    Seat seat;
+    std::string player;
+    Vec2 direction;
+    double speed = 0;     ///< m/s
+    double duration = 0;  ///< s
+    std::uint32_t events = 0;
+    std::string ruling;
+    SolverSpec solver;
+    std::string kernel;
+    std::uint64_t hash = 0;
+};
+
+void print_row(std::ostream& out, const ShotRow& row) {
+    out << std::right << std::setw(6) << row.shot << "  " << std::setw(4) << int{row.seat.value}
+        << "  " << std::left << std::setw(kNameWidth) << row.player << std::setw(16)
+        << direction_text(row.direction) << std::right << std::setw(8) << fixed(row.speed, 3)
+        << std::setw(9) << fixed(row.duration, 3) << std::setw(8) << row.events << "  " << std::left
+        << std::setw(12) << row.ruling << std::setw(kSolverWidth) << solver_text(row.solver)
+        << std::setw(kKernelWidth) << shown(row.kernel) << to_hex(row.hash) << '\n';
+}
+
+/// How the cue was held, where that is told: "offset 0.30 right, 0.20 down; elevation 0.100".
+std::string cue_text(const Stroke& stroke) {
+    std::string text;
+    if (stroke.offset != Vec2{}) {
+        const auto [right, up] = stroke.offset;
+        text = "offset " + fixed(std::abs(right), 2) + (right < 0 ? " left, " : " right, ") +
+               fixed(std::abs(up), 2) + (up < 0 ? " down" : " up");
+    }
+    if (stroke.elevation == 0) return text;
+    return text + (text.empty() ? "" : "; ") + "elevation " + fixed(stroke.elevation, 3);
+}
+
+std::string verdict_text(const std::optional<Ruling>& ruling) {
+    return ruling ? std::string(name(ruling->verdict)) : "-";
+}
+
+/// What the players have agreed on besides the physics: "race to 3, the winner breaks, 30 s a
+/// shot".
+void print_settings(std::ostream& out, const MatchSettings& settings) {
+    std::string text;
+    if (settings.race_to > 0) text += ", race to " + std::to_string(settings.race_to);
+    if (settings.breaks != BreakOrder::kAlternate)
+        text += ", the " + std::string(name(settings.breaks)) + " breaks";
+    if (settings.shot_clock_s) text += ", " + std::to_string(*settings.shot_clock_s) + " s a shot";
+    if (settings.turns == Turns::kSolo) text += ", seat 0 alone";
+    if (!text.empty()) out << "settings: " << text.substr(2) << '\n';
+}
+
+struct MoveWords {
+    std::string operator()(const Shoot&) const { return "shoots"; }
+
+    std::string operator()(const Place& place) const {
+        return "places the cue ball at " + fixed(place.position.x, 4) + "," +
+               fixed(place.position.y, 4) + " m";
+    }
+
+    std::string operator()(const Concede&) const { return "concedes the game"; }
+
+    std::string operator()(const Agree& agree) const {
+        return "agrees to a " + std::string(name(agree.what));
+    }
+
+    std::string operator()(const TimeOut&) const { return "has run out of time"; }
+};
+
 }  // namespace
 
 std::string time_text(std::int64_t unix_ms) {
@@ -65,12 +139,13 @@ std::string time_text(std::int64_t unix_ms) {
 
 void print_list(std::ostream& out, const std::vector<protocol::ReplaySummary>& replays) {
     out << std::left << std::setw(kIdWidth) << "id" << ' ' << std::setw(10) << "game" << std::right
-        << std::setw(6) << "shots"
+        << std::setw(6) << "shots" << std::setw(7) << "games" << std::setw(9) << "score"
         << "  " << std::left << std::setw(20) << "created (UTC)" << std::setw(8) << "state"
         << "players\n";
     for (const auto& replay : replays) {
         out << std::left << std::setw(kIdWidth) << shown_id(replay.id) << ' ' << std::setw(10)
-            << shown(replay.game) << std::right << std::setw(6) << replay.shots << "  " << std::left
+            << shown(replay.game) << std::right << std::setw(6) << replay.shots << std::setw(7)
+            << replay.games << std::setw(9) << score(replay.wins) << "  " << std::left
             << std::setw(20) << time_text(replay.created_ms) << std::setw(8)
             << (replay.closed_ms ? "closed" : "open") << players(replay.names) << '\n';
     }
@@ -83,7 +158,11 @@ void ReplayPrinter::print(const protocol::ReplayRecord& record) {
 void ReplayPrinter::print_record(const protocol::MatchRecord& match) {
     out_ << "match " << shown_id(match.match) << ", " << shown(match.game) << ", created "
          << time_text(match.created_ms) << " UTC by " << shown(match.server)
-         << (match.settings ? ", with physics of its own\n" : "\n");
+         << (match.settings && match.settings->game != GameSettings{} ? ", with physics of its own"
+                                                                      : "")
+         << '\n';
+    if (match.settings) print_settings(out_, *match.settings);
+    if (match.first) print_game(1, *match.first);
 }
 
 void ReplayPrinter::print_record(const protocol::SeatRecord& seat) {
@@ -93,7 +172,12 @@ void ReplayPrinter::print_record(const protocol::SeatRecord& seat) {
 }
 
 void ReplayPrinter::print_record(const protocol::GameRecord& game) {
-    out_ << "game " << game.game_number << ", first shot by seat " << int{game.first.value} << '\n'
+    print_game(game.game_number, game.first);
+}
+
+void ReplayPrinter::print_game(std::uint32_t number, Seat first) {
+    games_ = number;
+    out_ << "game " << number << ", first shot by seat " << int{first.value} << '\n'
          << std::right << std::setw(6) << "shot"
          << "  seat  " << std::left << std::setw(kNameWidth) << "player" << std::setw(16)
          << "direction" << std::right << std::setw(8) << "m/s" << std::setw(9) << "s"
@@ -105,14 +189,42 @@ void ReplayPrinter::print_record(const protocol::GameRecord& game) {
 
 void ReplayPrinter::print_record(const protocol::ShotRecord& shot) {
     const Strike strike = shot.scene.strike.value_or(Strike{});
-    out_ << std::right << std::setw(6) << shot.shot << "  " << std::setw(4) << int{shot.seat.value}
-         << "  " << std::left << std::setw(kNameWidth) << name_of(shot.seat) << std::setw(16)
-         << direction_text(strike.direction) << std::right << std::setw(8) << fixed(strike.speed, 3)
-         << std::setw(9) << fixed(shot.duration, 3) << std::setw(8) << shot.event_count << "  "
-         << std::left << std::setw(12) << name(shot.ruling.verdict) << std::setw(kSolverWidth)
-         << solver_text(shot.scene.solver) << std::setw(kKernelWidth) << shown(shot.kernel)
-         << to_hex(shot.final_hash) << '\n';
-    if (shot.ruling.winner) out_ << "      won by " << name_of(*shot.ruling.winner) << '\n';
+    print_row(out_, {shot.shot, shot.seat, name_of(shot.seat), strike.direction, strike.speed,
+                     shot.duration, shot.event_count, verdict_text(shot.ruling), shot.scene.solver,
+                     shot.kernel, shot.final_hash});
+    print_winner(shot.ruling);
+}
+
+void ReplayPrinter::print_record(const protocol::MoveRecord& move) {
+    const auto* shoot = std::get_if<Shoot>(&move.move);
+    if (shoot == nullptr || !move.shot) {
+        print_move(move, std::visit(MoveWords{}, move.move));
+    } else {
+        const protocol::ShotEvidence& shot = *move.shot;
+        const Stroke& stroke = shoot->strike;
+        print_row(out_,
+                  {shot.shot, move.seat, name_of(move.seat), stroke.direction,
+                   stroke.speed.value_or(0), shot.duration, shot.event_count,
+                   verdict_text(move.ruling), move.state.scene.solver, shot.kernel, shot.trace});
+        if (const std::string cue = cue_text(stroke); !cue.empty()) out_ << "      " << cue << '\n';
+    }
+    print_winner(move.ruling);
+    // The second seat's consent brings the next game about.
+    if (std::holds_alternative<Agree>(move.move) && !move.state.over)
+        print_game(games_ + 1, move.state.turn);
+}
+
+/// A move that is no shot, in words where a shot has its columns; the hash is the state's.
+void ReplayPrinter::print_move(const protocol::MoveRecord& move, const std::string& words) {
+    out_ << std::right << std::setw(6) << "-"
+         << "  " << std::setw(4) << int{move.seat.value} << "  " << std::left
+         << std::setw(kNameWidth) << name_of(move.seat) << std::setw(43) << words << std::setw(12)
+         << verdict_text(move.ruling) << std::setw(kSolverWidth) << "-" << std::setw(kKernelWidth)
+         << "state" << to_hex(move.state_hash) << '\n';
+}
+
+void ReplayPrinter::print_winner(const std::optional<Ruling>& ruling) {
+    if (ruling && ruling->winner) out_ << "      won by " << name_of(*ruling->winner) << '\n';
 }
 
 void ReplayPrinter::print_record(const protocol::EndRecord& end) {
@@ -124,11 +236,16 @@ std::string ReplayPrinter::name_of(Seat seat) const {
     return name.empty() ? "seat " + std::to_string(seat.value) : shown(name);
 }
 
-void print_report(std::ostream& out, const ShotReport& report) {
-    const std::string shot = "shot " + std::to_string(report.shot) + ": ";
-    if (report.divergences.empty()) out << shot << "ok " << to_hex(report.hash) << '\n';
-    for (const std::string& divergence : report.divergences)
-        out << shot << "DIVERGED " << divergence << '\n';
+void print_followed(std::ostream& out, const protocol::Followed& followed) {
+    const auto& [deviations, remarks] = followed.found;
+    for (const std::string& deviation : deviations)
+        out << followed.subject << ": DIVERGED " << deviation << '\n';
+    std::string text;
+    if (deviations.empty() && followed.shot && followed.shot->as_recorded)
+        text = "ok " + to_hex(followed.shot->hash);
+    for (const std::string& remark : remarks)
+        text += (text.empty() ? "" : ", ") + remark;
+    if (!text.empty()) out << followed.subject << ": " << text << '\n';
 }
 
 }  // namespace poolhall::client

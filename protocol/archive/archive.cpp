@@ -18,11 +18,22 @@ namespace {
 
 constexpr int kBusyTimeoutMs = 2000;
 
-constexpr const char* kListQuery = R"(
-SELECT num, id, game, shots, created_ms, closed_ms,
-       (SELECT last_name FROM seats WHERE match = matches.num AND seat = 0),
-       (SELECT last_name FROM seats WHERE match = matches.num AND seat = 1)
-FROM matches WHERE num < ? ORDER BY num DESC LIMIT ?)";
+/// A column of a seat of a row of matches; NULL if nobody ever sat there.
+std::string seat_column(const std::string& column, Seat seat) {
+    return "(SELECT " + column +
+           " FROM seats WHERE match = matches.num AND seat = " + std::to_string(seat.value) + ")";
+}
+
+std::string list_query(SQLite::Database& database) {
+    const bool counts = state_of(database) == DatabaseState::kCurrent;
+    std::string query = "SELECT num, id, game, shots, created_ms, closed_ms, ";
+    query += counts ? "games" : games_from_records();
+    for (const Seat seat : kSeats) {
+        query += ", " + seat_column("last_name", seat);
+        query += ", " + (counts ? seat_column("wins", seat) : wins_from_records(seat));
+    }
+    return query + " FROM matches WHERE num < ? ORDER BY num DESC LIMIT ?";
+}
 
 constexpr const char* kExportQuery = R"(
 SELECT records.sum, records.body FROM records JOIN matches ON records.match = matches.num
@@ -77,7 +88,12 @@ ReplaySummary read_summary(SQLite::Statement& row) {
     summary.shots = row.getColumn(3).getUInt();
     summary.created_ms = row.getColumn(4).getInt64();
     if (!row.isColumnNull(5)) summary.closed_ms = row.getColumn(5).getInt64();
-    summary.names = {row.getColumn(6).getString(), row.getColumn(7).getString()};
+    summary.games = row.getColumn(6).getUInt();
+    for (const Seat seat : kSeats) {
+        const int column = 7 + 2 * seat.value;
+        summary.names[seat.value] = row.getColumn(column).getString();
+        summary.wins[seat.value] = row.getColumn(column + 1).getUInt();
+    }
     return summary;
 }
 
@@ -91,7 +107,8 @@ Result<ReplayArchive, ArchiveError> ReplayArchive::open(const std::filesystem::p
     }
     try {
         auto [database, state] = open_read_only(path);
-        if (state != DatabaseState::kCurrent) return ArchiveError{describe(path, state)};
+        if (state != DatabaseState::kCurrent && state != DatabaseState::kOlder)
+            return ArchiveError{describe(path, state)};
         return ReplayArchive(std::move(path), std::move(database));
     } catch (const SQLite::Exception& failure) {
         return ArchiveError{describe(path, failure)};
@@ -102,7 +119,7 @@ Result<std::vector<ReplaySummary>, ArchiveError> ReplayArchive::list(
     std::size_t limit, std::optional<std::uint64_t> before) const {
     constexpr std::uint64_t kLast = std::numeric_limits<std::int64_t>::max();
     try {
-        SQLite::Statement query(*database_, kListQuery);
+        SQLite::Statement query(*database_, list_query(*database_));
         query.bind(1, static_cast<std::int64_t>(std::min(before.value_or(kLast), kLast)));
         query.bind(2, static_cast<std::int64_t>(std::min<std::uint64_t>(limit, kLast)));
         std::vector<ReplaySummary> summaries;

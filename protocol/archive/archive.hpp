@@ -4,7 +4,6 @@
 #include "shared/game/game_state.hpp"
 #include "shared/result.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +20,9 @@ struct ReplaySummary {
     std::uint64_t position = 0;  ///< rises from match to match; where the next page begins
     std::string id;
     std::string game;
-    std::array<std::string, kSeatCount> names;  ///< who sat there last; empty if nobody did
+    PerSeat<std::string> names;     ///< who sat there last; empty if nobody did
+    PerSeat<std::uint32_t> wins{};  ///< games that they have won since they sat down
+    std::uint32_t games = 0;        ///< finished
     std::uint32_t shots = 0;
     std::int64_t created_ms = 0;            ///< Unix time, ms
     std::optional<std::int64_t> closed_ms;  ///< none while the match is open
@@ -31,8 +32,8 @@ struct ArchiveError {
     std::string reason;  ///< one sentence with the path
 };
 
-/// A read-only connection to a replay store. A server may write to the store meanwhile, in this
-/// process or another. For one thread at a time; opening one costs some 0.1 ms.
+/// A read-only connection to a replay store, of whatever version. A server may write to the store
+/// meanwhile, in this process or another. For one thread at a time; opening one costs some 0.1 ms.
 class ReplayArchive {
   public:
     /// `data` is the folder that holds kDatabaseFile.

@@ -19,7 +19,8 @@ CREATE TABLE matches (
     game       TEXT    NOT NULL,
     shots      INTEGER NOT NULL DEFAULT 0,
     created_ms INTEGER NOT NULL,
-    closed_ms  INTEGER
+    closed_ms  INTEGER,
+    games      INTEGER NOT NULL DEFAULT 0
 ) STRICT;
 CREATE UNIQUE INDEX open_codes ON matches (code) WHERE closed_ms IS NULL;
 CREATE TABLE seats (
@@ -28,6 +29,7 @@ CREATE TABLE seats (
     name       TEXT    NOT NULL,
     last_name  TEXT    NOT NULL,
     token_hash TEXT    NOT NULL,
+    wins       INTEGER NOT NULL DEFAULT 0,
     PRIMARY KEY (match, seat)
 ) WITHOUT ROWID, STRICT;
 CREATE TABLE records (
@@ -40,6 +42,12 @@ CREATE TABLE records (
     UNIQUE (match, n)
 ) STRICT;
 )";
+
+constexpr int kFirstDatabaseVersion = 1;
+
+/// The seat that a record of a won game names; NULL of any other, and of one that is damaged.
+constexpr const char* kWinner =
+    "CASE WHEN json_valid(body) THEN json_extract(body, '$.ruling.winner') END";
 
 int pragma(SQLite::Database& database, const char* query) {
     return database.execAndGet(query).getInt();
@@ -54,13 +62,41 @@ DatabaseState state_of(SQLite::Database& database) {
     if (application == 0 && version == 0 && tables == 0) return DatabaseState::kEmpty;
     if (application != kApplicationId) return DatabaseState::kForeign;
     if (version > kDatabaseVersion) return DatabaseState::kNewer;
-    return version == kDatabaseVersion ? DatabaseState::kCurrent : DatabaseState::kForeign;
+    if (version == kDatabaseVersion) return DatabaseState::kCurrent;
+    return version >= kFirstDatabaseVersion ? DatabaseState::kOlder : DatabaseState::kForeign;
 }
 
 void create_tables(SQLite::Database& database) {
     SQLite::Transaction transaction(database);
     database.exec(kTables);
     database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
+    database.exec("PRAGMA user_version = " + std::to_string(kDatabaseVersion));
+    transaction.commit();
+}
+
+std::string games_from_records() {
+    return std::string("(SELECT count(*) FROM records WHERE match = matches.num AND ") + kWinner +
+           " IS NOT NULL)";
+}
+
+std::string wins_from_records(Seat seat) {
+    const std::string number = std::to_string(seat.value);
+    return std::string("(SELECT count(*) FROM records WHERE match = matches.num AND ") + kWinner +
+           " = " + number +
+           " AND n > (SELECT coalesce(max(n), 0) FROM records WHERE match = matches.num AND "
+           "kind = 'seat' AND CASE WHEN json_valid(body) THEN json_extract(body, '$.seat') = " +
+           number + " AND json_extract(body, '$.name') <> '' END))";
+}
+
+void migrate_tables(SQLite::Database& database) {
+    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+    database.exec("ALTER TABLE matches ADD COLUMN games INTEGER NOT NULL DEFAULT 0");
+    database.exec("ALTER TABLE seats ADD COLUMN wins INTEGER NOT NULL DEFAULT 0");
+    database.exec("UPDATE matches SET games = " + games_from_records());
+    for (const Seat seat : kSeats)
+        database.exec(
+            "UPDATE seats SET wins = (SELECT " + wins_from_records(seat) +
+            " FROM matches WHERE num = seats.match) WHERE seat = " + std::to_string(seat.value));
     database.exec("PRAGMA user_version = " + std::to_string(kDatabaseVersion));
     transaction.commit();
 }
@@ -97,6 +133,7 @@ std::string describe(const std::filesystem::path& path, DatabaseState state) {
             return file + " was written by a newer version of Poolhall";
         case DatabaseState::kForeign:
             return file + " is not a Poolhall replay store";
+        case DatabaseState::kOlder:
         case DatabaseState::kCurrent:
             break;
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "shared/game/seat.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -14,11 +16,12 @@ namespace poolhall::protocol {
 
 inline constexpr std::string_view kDatabaseFile = "poolhall.sqlite";  ///< in the data folder
 inline constexpr int kApplicationId = 0x504F4F4C;  ///< "POOL"; PRAGMA application_id
-inline constexpr int kDatabaseVersion = 1;         ///< PRAGMA user_version
+inline constexpr int kDatabaseVersion = 2;         ///< PRAGMA user_version
 
 /// Whose tables a database holds.
 enum class DatabaseState {
     kEmpty,    ///< nobody's yet
+    kOlder,    ///< ours, of an earlier version: it can be read, and migrated
     kCurrent,  ///< ours, of kDatabaseVersion
     kNewer,    ///< ours, of a later version
     kForeign,  ///< not ours
@@ -30,10 +33,20 @@ enum class DatabaseState {
 /// Creates the tables in an empty database, in one transaction. Throws SQLite::Exception.
 void create_tables(SQLite::Database& database);
 
+/// Brings an older database to kDatabaseVersion, in one transaction; its records stay as they are.
+/// Throws SQLite::Exception; nothing has been changed then.
+void migrate_tables(SQLite::Database& database);
+
+/// SQL of what version 1 did not count, for a row of matches: its games that are finished, and
+/// those won by whoever sat last on a seat, since they sat down.
+[[nodiscard]] std::string games_from_records();
+[[nodiscard]] std::string wins_from_records(Seat seat);
+
 /// One sentence with the path: what SQLite met.
 [[nodiscard]] std::string describe(const std::filesystem::path& path,
                                    const SQLite::Exception& error);
-/// One sentence with the path: why a database in this state (not kCurrent) cannot be used.
+/// One sentence with the path: why a database in this state (not kOlder or kCurrent) cannot be
+/// used.
 [[nodiscard]] std::string describe(const std::filesystem::path& path, DatabaseState state);
 
 }  // namespace poolhall::protocol

@@ -11,6 +11,18 @@ namespace {
 
 constexpr auto kEnd = std::istream::traits_type::eof();
 
+DamageKind kind_of(RecordFault fault) {
+    switch (fault) {
+        case RecordFault::kNotJson:
+            return DamageKind::kBadJson;
+        case RecordFault::kUnknownVersion:
+            return DamageKind::kUnknownVersion;
+        case RecordFault::kBadField:
+            break;
+    }
+    return DamageKind::kBadField;
+}
+
 }  // namespace
 
 std::string Damage::text() const {
@@ -68,8 +80,8 @@ std::optional<NumberedRecord> ReplayReader::parse_line() {
     auto record = record_from_text(parts->record);
     if (!record) {
         const RecordError& error = record.error();
-        const DamageKind kind = error.is_json ? DamageKind::kBadField : DamageKind::kBadJson;
-        stop(kind, error.pointer.empty() ? error.reason : error.pointer + ": " + error.reason);
+        stop(kind_of(error.fault),
+             error.pointer.empty() ? error.reason : error.pointer + ": " + error.reason);
         return std::nullopt;
     }
     text_ = parts->record;

@@ -18,9 +18,10 @@ enum class DamageKind : std::uint8_t {
     kChecksum,
     kBadJson,
     kBadField,
-    kMissingRecord,  ///< the numbers have a gap, or there is no first record
-    kOutOfPlace,     ///< a match record that is not the first, or a record after the end
-    kUnreadable,     ///< the stream failed
+    kUnknownVersion,  ///< no damage: a later version of the program wrote it
+    kMissingRecord,   ///< the numbers have a gap, or there is no first record
+    kOutOfPlace,      ///< a match record that is not the first, or a record after the end
+    kUnreadable,      ///< the stream failed
 };
 
 /// Where reading stopped, and why. What stands before it is good.

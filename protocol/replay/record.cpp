@@ -15,7 +15,7 @@ ShotEvidence evidence_of(const ShotTaken& shot) {
     ShotEvidence evidence;
     evidence.shot = shot.shot;
     evidence.edition = kPhysicsEdition;
-    evidence.solver = trace.solver;
+    evidence.solver = name(trace.solver);
     evidence.kernel = trace.kernel;
     evidence.trace = trace.hash;
     evidence.duration = trace.duration;

@@ -43,7 +43,7 @@ struct SeatRecord {
 struct ShotEvidence {
     std::uint32_t shot = 0;     ///< from 1, within the match
     std::uint32_t edition = 0;  ///< of the physics
-    SolverKind solver = SolverKind::kEuler;
+    std::string solver;  ///< its name, and the kernel's: either may be gone in a later version
     std::string kernel;
     std::uint64_t trace = 0;  ///< hash of the events and the final states
     double duration = 0;      ///< s

@@ -45,6 +45,8 @@ struct MatchId {
 
 inline constexpr Text kShortText{1, 64};
 inline constexpr Text kReasonText{0, 256};
+/// Not PersonName: what counts as a name may change, and a log keeps those that were taken.
+inline constexpr Text kNameText{0, kMaxNameBytes};
 inline constexpr Number kSeconds{0, kAnyMagnitude};
 
 template <>
@@ -60,14 +62,14 @@ inline constexpr auto kFields<MatchRecord> = std::tuple{
 template <>
 inline constexpr auto kFields<SeatRecord> = std::tuple{
     field("seat", &SeatRecord::seat),
-    field("name", &SeatRecord::name, PersonName{true}),
+    field("name", &SeatRecord::name, kNameText),
 };
 
 template <>
 inline constexpr auto kFields<ShotEvidence> = std::tuple{
     field("shot", &ShotEvidence::shot, Integer{1}),
-    field("edition", &ShotEvidence::edition, Integer{1}),
-    field("solver", &ShotEvidence::solver),
+    field("edition", &ShotEvidence::edition),
+    field("solver", &ShotEvidence::solver, kShortText),
     field("kernel", &ShotEvidence::kernel, kShortText),
     field("trace", &ShotEvidence::trace, Hash{}),
     field("duration", &ShotEvidence::duration, kSeconds),

@@ -1,6 +1,7 @@
 #include "protocol/replay/record_text.hpp"
 
 #include "protocol/replay/record_fields.hpp"
+#include "protocol/text.hpp"
 #include "protocol/tree.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,15 +22,20 @@ std::string format_of(int version) {
     return std::string(kFormatPrefix) + std::to_string(version);
 }
 
-bool read_format(const Cursor& cursor, int& version) {
-    const Json* format = cursor.find("format");
-    if (format == nullptr) return cursor.refuse_missing("format");
+/// Only the first record of a match names the format.
+bool read_format(const Json& format, int& version) {
     for (version = kFirstReplayVersion; version <= kReplayVersion; ++version) {
-        if (*format == format_of(version)) return true;
+        if (format == format_of(version)) return true;
     }
-    return cursor.refuse_at("/format", "must be \"" + format_of(kFirstReplayVersion) + "\" or \"" +
-                                           format_of(kReplayVersion) +
-                                           "\": this program reads no other");
+    return false;
+}
+
+RecordError unknown_version(const Json& format) {
+    const std::string named = format.is_string() ? format.get<std::string>() : format.dump();
+    return {"/format",
+            "the version \"" + shown(named) + "\" is none that this program knows: it reads \"" +
+                format_of(kFirstReplayVersion) + "\" and \"" + format_of(kReplayVersion) + "\"",
+            RecordFault::kUnknownVersion};
 }
 
 /// What the fields alone do not say.
@@ -51,7 +57,9 @@ bool check_whole(const Cursor& cursor, const MoveRecord& record) {
 }
 
 bool check_whole(const Cursor& cursor, MatchRecord& record) {
-    if (!read_format(cursor, record.version)) return false;
+    const Json* format = cursor.find("format");
+    if (format == nullptr) return cursor.refuse_missing("format");
+    static_cast<void>(read_format(*format, record.version));
     if (record.first.has_value() == (record.version >= 2)) return true;
     return cursor.refuse_at("/first", "must be there from version 2 on, and not before");
 }
@@ -108,11 +116,16 @@ std::string to_text(std::uint64_t n, const ReplayRecord& record) {
 
 Result<NumberedRecord, RecordError> record_from_text(std::string_view text) {
     const auto tree = parse_tree(text, Encoding::kJson);
-    if (!tree) return RecordError{"", tree.error().reason, false};
+    if (!tree) return RecordError{"", tree.error().reason, RecordFault::kNotJson};
+    if (tree->is_object() && tree->contains("format")) {
+        int version = 0;
+        const Json& format = tree->at("format");
+        if (!read_format(format, version)) return unknown_version(format);
+    }
     wire::Reading reading;
     NumberedRecord record;
     if (read_record(Cursor(*tree, reading), record)) return record;
-    return RecordError{reading.error->pointer, reading.error->reason};
+    return RecordError{reading.error->pointer, reading.error->reason, RecordFault::kBadField};
 }
 
 bool is_match_id(std::string_view id) {

@@ -9,11 +9,17 @@
 
 namespace poolhall::protocol {
 
+enum class RecordFault : std::uint8_t {
+    kNotJson,
+    kUnknownVersion,  ///< whatever else is in it: a later version may have other fields
+    kBadField,
+};
+
 /// What is wrong with the JSON of a record.
 struct RecordError {
     std::string pointer;  ///< JSON pointer, "/scene/balls/0/r"; empty for the whole
     std::string reason;   ///< one sentence without a full stop
-    bool is_json = true;  ///< false: the text is not JSON at all
+    RecordFault fault = RecordFault::kBadField;
 };
 
 /// The record as one line of JSON, without a line end: what a checksum covers and what is stored.

@@ -36,9 +36,12 @@ JobStatements::JobStatements(SQLite::Database& database)
                 "INSERT INTO seats (match, seat, name, last_name, token_hash) VALUES (?1, ?2, ?3, "
                 "?3, ?4) "
                 "ON CONFLICT DO UPDATE SET name = ?3, token_hash = ?4, "
-                "last_name = CASE ?3 WHEN '' THEN last_name ELSE ?3 END"),
+                "last_name = CASE ?3 WHEN '' THEN last_name ELSE ?3 END, "
+                "wins = CASE ?3 WHEN '' THEN wins ELSE 0 END"),
       append_(database, "INSERT INTO records (match, n, kind, body, sum) VALUES (?, ?, ?, ?, ?)"),
       count_shot_(database, "UPDATE matches SET shots = shots + 1 WHERE num = ?"),
+      count_game_(database, "UPDATE matches SET games = games + 1 WHERE num = ?"),
+      count_win_(database, "UPDATE seats SET wins = wins + 1 WHERE match = ? AND seat = ?"),
       close_(database, "UPDATE matches SET closed_ms = ? WHERE num = ?") {}
 
 JobFailure JobStatements::apply(const StoreJob& job) {
@@ -69,6 +72,10 @@ JobFailure JobStatements::apply_job(const AppendMoveJob& job) {
     const auto match = find_open(job.match);
     if (!match) return no_open_match(job.match);
     if (job.record.shot) execute(count_shot_, match->num);
+    if (job.record.ruling && job.record.ruling->winner) {
+        execute(count_game_, match->num);
+        execute(count_win_, match->num, std::int32_t{job.record.ruling->winner->value});
+    }
     append(*match, job.record);
     return std::nullopt;
 }

@@ -42,6 +42,8 @@ class JobStatements {
     SQLite::Statement set_seat_;
     SQLite::Statement append_;
     SQLite::Statement count_shot_;
+    SQLite::Statement count_game_;
+    SQLite::Statement count_win_;
     SQLite::Statement close_;
 };
 

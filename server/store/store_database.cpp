@@ -2,6 +2,7 @@
 
 #include "protocol/archive/database.hpp"
 #include "server/store/job_statements.hpp"
+#include "server/store/migration.hpp"
 
 #include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Exception.h>
@@ -36,7 +37,8 @@ void set_durability(SQLite::Database& database, const std::filesystem::path& pat
 /// not at the first shot.
 void prove_writable(SQLite::Database& database) {
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    database.exec("PRAGMA user_version = " + std::to_string(protocol::kDatabaseVersion));
+    const int version = database.execAndGet("PRAGMA user_version").getInt();
+    database.exec("PRAGMA user_version = " + std::to_string(version));
     transaction.commit();
 }
 
@@ -66,16 +68,17 @@ StoreDatabase::StoreDatabase(std::filesystem::path path, FolderLock lock)
       lock_(std::move(lock)),
       database_(path_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) {}
 
-/// Throws what is wrong with the database, before anything of it has been changed.
+/// Throws what is wrong with the database, before anything of it has been changed; brings one of an
+/// earlier version up to this one's.
 void StoreDatabase::prepare() {
     const DatabaseState state = protocol::state_of(database_);
-    if (state != DatabaseState::kEmpty && state != DatabaseState::kCurrent) {
+    if (state == DatabaseState::kForeign || state == DatabaseState::kNewer)
         throw std::runtime_error(describe(path_, state));
-    }
     check_for_damage(database_, path_);
     set_durability(database_, path_);
     if (state == DatabaseState::kEmpty) protocol::create_tables(database_);
     prove_writable(database_);
+    if (state == DatabaseState::kOlder) migrate(database_, path_);
 }
 
 StoreDatabase::~StoreDatabase() {

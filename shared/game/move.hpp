@@ -14,10 +14,10 @@ namespace poolhall {
 
 /// How the player wants the cue ball struck. Directions and offsets are those of Strike.
 struct Stroke {
-    Vec2 direction{1, 0};       ///< of any length but zero
-    std::optional<Real> speed;  ///< of the ball right after it, m/s; none: the game's own
-    Vec2 offset = {};           ///< of the tip, [right, up], in radii of the ball
-    Real elevation = 0;         ///< slope of the cue
+    Vec2 direction{1, 0};            ///< of any length but zero
+    std::optional<Real> speed = {};  ///< of the ball right after it, m/s; none: the game's own
+    Vec2 offset = {};                ///< of the tip, [right, up], in radii of the ball
+    Real elevation = 0;              ///< slope of the cue
 
     friend bool operator==(const Stroke&, const Stroke&) = default;
 };

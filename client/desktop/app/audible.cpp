@@ -61,9 +61,9 @@ std::optional<Audible> audible_event(const ShotEvent& event, const Table& table)
 
 }  // namespace
 
-std::optional<Audible> audible(const Heard& heard, const Table& table) {
-    if (const auto* event = std::get_if<ShotEvent>(&heard)) return audible_event(*event, table);
-    const bool lost = std::get<GameEnded>(heard).tone == Tone::kLost;
+std::optional<Audible> audible(const TableSound& sound, const Table& table) {
+    if (const auto* event = std::get_if<ShotEvent>(&sound)) return audible_event(*event, table);
+    const bool lost = std::get<GameEnded>(sound).tone == Tone::kLost;
     return Audible{lost ? Sound::kLost : Sound::kWon, 1, 0};
 }
 

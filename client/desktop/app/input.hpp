@@ -25,7 +25,7 @@ enum class Action : std::uint8_t {
 /// What the held keys ask for.
 struct Steering {
     double turn = 0;   ///< of the aim, rad/s, counterclockwise
-    double slide = 0;  ///< of the cue ball along the base line, m/s, upwards
+    double slide = 0;  ///< of the cue ball in hand, m/s, upwards
 
     [[nodiscard]] bool idle() const { return turn == 0 && slide == 0; }
 };

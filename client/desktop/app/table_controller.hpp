@@ -4,6 +4,7 @@
 #include "client/desktop/app/solver_overlay.hpp"
 #include "client/desktop/app/step_mode.hpp"
 #include "client/play/overlays.hpp"
+#include "client/play/placing.hpp"
 #include "client/play/shown_table.hpp"
 
 #include <string>
@@ -12,18 +13,18 @@
 
 namespace poolhall::client {
 
-/// Something to be heard.
 struct GameEnded {
     Tone tone = Tone::kNeutral;
 };
 
-using Heard = std::variant<ShotEvent, GameEnded>;
+/// Something to be heard.
+using TableSound = std::variant<ShotEvent, GameEnded>;
 
 /// Turns keys, mouse and time into commands to the match, and all that is known into what one frame
 /// shows. It needs neither window nor sound.
 class TableController {
   public:
-    TableController(Match& match, Playback& playback);
+    TableController(ClientMatch& match, Playback& playback);
 
     static constexpr double kNewGamePause = 3;  ///< s after a practice game has ended
     static constexpr double kStatusTime = 4;    ///< s that a status line stays
@@ -45,7 +46,7 @@ class TableController {
     /// Who plays, and over what.
     [[nodiscard]] MatchView match_view() const;
     /// What became audible since the last call.
-    [[nodiscard]] std::vector<Heard> take_heard();
+    [[nodiscard]] std::vector<TableSound> take_sounds();
 
     /// Something on the screen changes by itself from frame to frame.
     [[nodiscard]] bool animated() const;
@@ -57,12 +58,11 @@ class TableController {
     void go();
     void take_step();
     void steer(double dt, const Steering& steering);
-    void place_cue_ball(Vec2 position);
     void aim_at(Vec2 r);
     void advance(double dt);
     void take_passed();
-    void finish(const Shot& shot);
-    void announce_result();
+    /// Shows the match and the playback as they are now; a result that comes into sight is heard.
+    void refresh();
     void pause_before_new_game();
 
     [[nodiscard]] bool practice() const { return match_.info().link == Link::kOffline; }
@@ -75,16 +75,15 @@ class TableController {
     [[nodiscard]] std::optional<AimView> aim_view() const;
     [[nodiscard]] std::vector<SolverView> solver_views() const;
 
-    Match& match_;
+    ClientMatch& match_;
     Playback& playback_;
     ShownTable shown_;
+    Placing placing_;
     StepTrail trail_;
-    CollisionMarks marks_;
     SolverOverlay solvers_;
     StepMode step_mode_;
-    std::vector<Heard> heard_;
+    std::vector<TableSound> sounds_;
 
-    bool dragging_ = false;           ///< the cue ball, by the mouse
     std::optional<double> ended_at_;  ///< when the end of the game was seen, s
     std::string status_;
     double status_until_ = 0;

@@ -2,7 +2,7 @@
 
 #include "client/desktop/app/audible.hpp"
 #include "client/desktop/net/websocket_transport.hpp"
-#include "client/play/practice_match.hpp"
+#include "client/play/local_match.hpp"
 #include "client/play/remote_match.hpp"
 #include "shared/game/end_game.hpp"
 
@@ -28,15 +28,17 @@ TableScreen::TableScreen(const Options& options)
       match_(make_match(options)),
       controller_(*match_, playback_) {}
 
-std::unique_ptr<Match> TableScreen::make_match(const Options& options) {
-    if (!options.server)
-        return std::make_unique<PracticeMatch>(kEndGameRules, options.name, playback_,
-                                               options.settings);
+std::unique_ptr<ClientMatch> TableScreen::make_match(const Options& options) {
+    if (!options.server) {
+        return std::make_unique<LocalMatch>(practice_spec(kEndGameRules, options.settings),
+                                            PerSeat<std::string>{options.name, "The house"},
+                                            playback_);
+    }
     transport_ =
         std::make_unique<WebSocketTransport>(*options.server, options.encoding, wake_window);
-    Wish wish{to_string(*options.server), options.code, options.name, options.watch,
-              options.settings};
-    return std::make_unique<RemoteMatch>(std::move(wish), *transport_, tokens_, playback_);
+    EntryRequest wanted{to_string(*options.server), options.code, options.name, options.watch,
+                        MatchSettings{.game = options.settings}};
+    return std::make_unique<RemoteMatch>(std::move(wanted), *transport_, tokens_, playback_);
 }
 
 Answer TableScreen::handle(const ScreenEvent& event) {
@@ -123,10 +125,10 @@ void TableScreen::update(double dt, double now) {
 }
 
 void TableScreen::play_sounds() {
-    const auto heard = controller_.take_heard();
+    const auto heard = controller_.take_sounds();
     if (heard.empty()) return;
     const Table table = controller_.view().table;
-    for (const Heard& one : heard) {
+    for (const TableSound& one : heard) {
         if (const auto sound = audible(one, table))
             sounds_.play(sound->sound, sound->strength, sound->pan);
     }

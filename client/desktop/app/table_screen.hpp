@@ -28,7 +28,7 @@ class TableScreen : public Screen {
     bool show_status(const std::string& line) override;
 
   private:
-    [[nodiscard]] std::unique_ptr<Match> make_match(const Options& options);
+    [[nodiscard]] std::unique_ptr<ClientMatch> make_match(const Options& options);
     Answer act(Action action);
     Answer pointed(const ScreenEvent& event);
     void copy_code();
@@ -39,7 +39,7 @@ class TableScreen : public Screen {
     TokenStore tokens_;
     Playback playback_;
     std::unique_ptr<Transport> transport_;
-    std::unique_ptr<Match> match_;
+    std::unique_ptr<ClientMatch> match_;
     TableController controller_;
     Input input_;
     std::uint64_t sound_changes_ = 0;

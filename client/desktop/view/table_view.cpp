@@ -47,7 +47,7 @@ struct TableView::Parts {
 };
 
 void TableView::Parts::draw_cloth_shapes(Mesh& shapes, const ViewState& state) const {
-    if (state.base_line_x) add_base_line(shapes, layout, *state.base_line_x);
+    if (state.placement) add_placement(shapes, layout, *state.placement);
     add_solver_paths(shapes, layout, state.solvers);
     add_trail(shapes, layout, state);
     for (const BallView& ball : state.balls) {

@@ -1,4 +1,4 @@
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 #include "client/lab/accuracy/results.hpp"
 #include "client/lab/output/result_json.hpp"
 #include "shared/physics/scene/trace.hpp"

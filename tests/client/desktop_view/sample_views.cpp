@@ -14,7 +14,7 @@ constexpr Vec2 kEightSpot{end_game::kFootSpotX, 0};
 ViewState with_banner(Tone tone, const std::string& title, const std::string& subtitle) {
     ViewState state = start();
     state.aim.reset();
-    state.base_line_x.reset();
+    state.placement.reset();
     state.banner = Banner{title, subtitle, tone};
     return state;
 }
@@ -41,7 +41,7 @@ ViewState lost() {
 ViewState stepping() {
     ViewState state = start();
     state.aim.reset();
-    state.base_line_x.reset();
+    state.placement.reset();
     state.step_mode = true;
     state.hint = "Space for the next 1/30 s";
     constexpr int kSteps = 22;
@@ -80,7 +80,7 @@ ViewState collisions() {
 ViewState solvers() {
     ViewState state = start();
     state.aim.reset();
-    state.base_line_x.reset();
+    state.placement.reset();
     const Vec2 corner{0.60, 0.33};
     for (int i = 0; i < 3; ++i) {
         const Vec2 end{-0.2 + 0.07 * i, -0.21 + 0.02 * i};
@@ -132,7 +132,7 @@ ViewState practice() {
 ViewState on_table(const Table& table) {
     ViewState state = practice();
     state.aim.reset();
-    state.base_line_x.reset();
+    state.placement.reset();
     state.table = table;
     state.balls = {{"cue", {-0.4, 0.1}, false}, {"8", {-table.length / 2, table.width / 2}, true}};
     return state;
@@ -168,7 +168,8 @@ ViewState start() {
     state.table = {end_game::kLength, end_game::kWidth, true, PocketModel::kEndGame};
     state.ball_radius = kRadius;
     state.balls = {{"cue", kCueSpot, false}, {"8", kEightSpot, false}};
-    state.base_line_x = end_game::kBaseLineX;
+    const double edge = end_game::kWidth / 2 - kRadius;
+    state.placement = Region{{end_game::kBaseLineX, -edge}, {end_game::kBaseLineX, edge}};
     state.aim = AimView{kCueSpot, {1, 0}, {}};
     state.match.code = "BCDFGH";
     state.match.seats = {SeatView{"Ada", true, true, false, 0},

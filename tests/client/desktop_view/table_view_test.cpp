@@ -268,7 +268,7 @@ TEST(TableViewTest, EveryViewCoversTheWholeOutputWhateverItsSize) {
 ViewState bare(const Table& table) {
     ViewState state = samples::start();
     state.aim.reset();
-    state.base_line_x.reset();
+    state.placement.reset();
     state.balls.clear();
     state.table = table;
     return state;

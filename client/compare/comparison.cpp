@@ -1,4 +1,4 @@
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 
 #include "client/compare/cpu_time.hpp"
 #include "client/compare/number_text.hpp"
@@ -17,31 +17,31 @@ double affordable_hz(const ShotTrace& trace, double wanted) {
 }
 
 /// CPU time of the shot, ns; leaves the trace without samples.
-double time_of(Simulator& simulator, const Scene& scene, const ContestRules& rules,
+double time_of(Simulator& simulator, const Scene& scene, const ComparisonLimits& limits,
                ShotTrace& trace) {
     double spent = 0;
     double shortest = 0;
-    for (int i = 0; i < rules.repeats; ++i) {
+    for (int i = 0; i < limits.repeats; ++i) {
         const double begin = cpu_time_ns();
         simulator.simulate(scene, 0, trace);
         const double passed = cpu_time_ns() - begin;
         shortest = i == 0 ? passed : std::min(shortest, passed);
         spent += passed;
-        if (spent > rules.patience_ns) break;
+        if (spent > limits.max_cpu_ns) break;
     }
     return shortest;
 }
 
-Contender contender_of(Simulator& simulator, const Scene& scene, const ContestRules& rules) {
-    Contender contender;
-    contender.solver = scene.solver;
-    contender.refusal = check(scene);
-    if (contender.refusal) return contender;
-    ShotTrace& trace = contender.trace;
+SolverRun run_of(Simulator& simulator, const Scene& scene, const ComparisonLimits& limits) {
+    SolverRun run;
+    run.solver = scene.solver;
+    run.refusal = check(scene);
+    if (run.refusal) return run;
+    ShotTrace& trace = run.trace;
     simulator.simulate(scene, 0, trace);
-    contender.cpu_ns = time_of(simulator, scene, rules, trace);
-    simulator.simulate(scene, affordable_hz(trace, rules.sample_hz), trace);
-    return contender;
+    run.cpu_ns = time_of(simulator, scene, limits, trace);
+    simulator.simulate(scene, affordable_hz(trace, limits.sample_hz), trace);
+    return run;
 }
 
 /// The event solver is exact; among the others more ticks are better.
@@ -49,33 +49,33 @@ double accuracy_of(const SolverSpec& solver) {
     return solver.kind == SolverKind::kEvent ? 2 * kMaxSolverHz : solver.hz;
 }
 
-std::optional<std::size_t> most_accurate(const std::vector<Contender>& contenders) {
+std::optional<std::size_t> most_accurate(const std::vector<SolverRun>& runs) {
     std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < contenders.size(); ++i) {
-        if (contenders[i].refusal) continue;
-        if (!best || accuracy_of(contenders[i].solver) > accuracy_of(contenders[*best].solver))
-            best = i;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (runs[i].refusal) continue;
+        if (!best || accuracy_of(runs[i].solver) > accuracy_of(runs[*best].solver)) best = i;
     }
     return best;
 }
 
 }  // namespace
 
-Contest contest(Scene scene, std::span<const SolverSpec> solvers, const ContestRules& rules) {
-    Contest contest;
+Comparison compare_solvers(Scene scene, std::span<const SolverSpec> solvers,
+                           const ComparisonLimits& limits) {
+    Comparison comparison;
     Simulator simulator;
     for (const SolverSpec& solver : solvers) {
         scene.solver = solver;
-        contest.contenders.push_back(contender_of(simulator, scene, rules));
+        comparison.runs.push_back(run_of(simulator, scene, limits));
     }
-    contest.reference = most_accurate(contest.contenders);
-    for (Contender& contender : contest.contenders) {
-        if (contender.refusal) continue;
-        const ShotTrace& reference = contest.contenders[*contest.reference].trace;
-        contender.rest_distance = analysis::rest_distances(contender.trace, reference);
-        contender.agreement = analysis::agreement(reference, contender.trace);
+    comparison.reference = most_accurate(comparison.runs);
+    for (SolverRun& run : comparison.runs) {
+        if (run.refusal) continue;
+        const ShotTrace& reference = comparison.runs[*comparison.reference].trace;
+        run.rest_distance = analysis::rest_distances(run.trace, reference);
+        run.agreement = analysis::agreement(reference, run.trace);
     }
-    return contest;
+    return comparison;
 }
 
 std::string label(const SolverSpec& solver) {
@@ -83,8 +83,8 @@ std::string label(const SolverSpec& solver) {
     return solver.kind == SolverKind::kEvent ? kind : kind + formatted(":%g", solver.hz);
 }
 
-std::optional<FarthestBall> farthest_ball(const Contender& contender) {
-    const auto& distances = contender.rest_distance;
+std::optional<FarthestBall> farthest_ball(const SolverRun& run) {
+    const auto& distances = run.rest_distance;
     const auto farthest = std::max_element(distances.begin(), distances.end());
     if (farthest == distances.end()) return std::nullopt;
     return FarthestBall{BallIndex{static_cast<std::uint16_t>(farthest - distances.begin())},

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "client/play/view_state.hpp"
+#include "client/play/link.hpp"
 #include "protocol/messages.hpp"
-#include "shared/game/ruleset.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace poolhall::client {
 
@@ -16,7 +15,7 @@ namespace poolhall::client {
 struct MatchInfo {
     /// None before the first word from the server.
     std::optional<protocol::TableState> table;
-    std::array<bool, kSeatCount> mine{};  ///< seats played from here
+    PerSeat<bool> mine{};  ///< seats played from here
     Link link = Link::kOffline;
     std::optional<double> round_trip_ms;
     std::string kernel;  ///< that simulated the last shot; empty before one
@@ -24,7 +23,7 @@ struct MatchInfo {
     std::string trouble;
     std::uint64_t revision = 0;  ///< rises with every change
 
-    /// The seat that may shoot from here, if it is its turn.
+    /// The seat that may place and shoot from here, if it is its turn.
     [[nodiscard]] std::optional<Seat> acting_seat() const;
 
     [[nodiscard]] bool seated() const { return mine[0] || mine[1]; }
@@ -32,14 +31,18 @@ struct MatchInfo {
     [[nodiscard]] bool hot_seat() const { return mine[0] && mine[1]; }
 };
 
+/// The seats here that would make the move now: the one whose turn it is, every one that has not
+/// agreed yet, the one that gives up. None if it is nobody's here.
+[[nodiscard]] std::vector<Seat> movers(const MatchInfo& info, const Move& move);
+
 /// The one source of truth of a match, played here or over the network. It feeds the Playback that
 /// it was made with.
-class Match {
+class ClientMatch {
   public:
-    Match() = default;
-    Match(const Match&) = delete;
-    Match& operator=(const Match&) = delete;
-    virtual ~Match() = default;
+    ClientMatch() = default;
+    ClientMatch(const ClientMatch&) = delete;
+    ClientMatch& operator=(const ClientMatch&) = delete;
+    virtual ~ClientMatch() = default;
 
     [[nodiscard]] virtual const MatchInfo& info() const = 0;
 
@@ -50,20 +53,20 @@ class Match {
     /// A line for the player that came up since the last call: what was refused, who came.
     [[nodiscard]] virtual std::string take_notice() = 0;
 
-    // Commands of the acting seat; without one they do nothing. Directions of any length but zero.
+    // What the acting seat is about to do; without one they do nothing.
+    /// Direction of any length but zero.
     virtual void aim(Vec2 direction) = 0;
-    virtual void place_cue_ball(Vec2 position) = 0;
-    virtual void shoot(Vec2 direction) = 0;
+    /// Holds the cue ball in hand at the legal place nearest to `position`, m; the aim turns anew.
+    virtual void hold_cue_ball(Vec2 position) = 0;
 
-    /// Another game, when one is over: at once, or a vote for it.
-    virtual void ask_new_game() = 0;
+    /// Makes the move for the seats here that it is for, if any; see movers(). Right before a shot
+    /// the cue ball is placed where it is held.
+    virtual void make(const Move& move) = 0;
+
     /// Takes the open seat too, or gives it back.
     virtual void toggle_hot_seat() = 0;
     /// A lost connection is tried again at once rather than at the end of its pause.
     virtual void retry_now() = 0;
 };
-
-/// What the rules need to know to judge placement and aim in the game that the table shows.
-[[nodiscard]] GameState game_state_of(const protocol::TableState& table);
 
 }  // namespace poolhall::client

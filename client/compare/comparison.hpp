@@ -13,7 +13,7 @@
 // One scene by several solvers: what each makes of it, and what that costs.
 namespace poolhall::compare {
 
-struct Contender {
+struct SolverRun {
     SolverSpec solver;
     /// Why the solver does not take the scene; then there is nothing below.
     std::optional<SceneError> refusal;
@@ -24,16 +24,16 @@ struct Contender {
     analysis::Agreement agreement;  ///< of its events with the reference's
 };
 
-struct Contest {
-    std::vector<Contender> contenders;     ///< in the order asked for
+struct Comparison {
+    std::vector<SolverRun> runs;           ///< in the order asked for
     std::optional<std::size_t> reference;  ///< the most accurate of them; none if all refuse
 };
 
-/// How a contest is held.
-struct ContestRules {
-    double sample_hz = 120;    ///< of the traces; fewer where a trace would hold over kMaxPlaces
-    int repeats = 5;           ///< of each shot whose time is taken; one more warms up
-    double patience_ns = 2e7;  ///< CPU time; beyond it a shot is not repeated
+/// What a comparison may cost.
+struct ComparisonLimits {
+    double sample_hz = 120;   ///< of the traces; fewer where a trace would hold over kMaxPlaces
+    int repeats = 5;          ///< of each shot whose time is taken; one more warms up
+    double max_cpu_ns = 2e7;  ///< CPU time; beyond it a shot is not repeated
 };
 
 /// As many places of balls as a trace's samples may hold: 24 MB.
@@ -41,8 +41,8 @@ inline constexpr double kMaxPlaces = 1e6;
 
 /// Simulates the scene by each of the solvers instead of its own. The scene must pass check() with
 /// one of them; a solver with which it does not is said to refuse it.
-[[nodiscard]] Contest contest(Scene scene, std::span<const SolverSpec> solvers,
-                              const ContestRules& rules = {});
+[[nodiscard]] Comparison compare_solvers(Scene scene, std::span<const SolverSpec> solvers,
+                                         const ComparisonLimits& limits = {});
 
 /// "event", "euler:30": as the lab's options name a solver.
 [[nodiscard]] std::string label(const SolverSpec& solver);
@@ -53,6 +53,6 @@ struct FarthestBall {
     double distance = 0;
 };
 
-[[nodiscard]] std::optional<FarthestBall> farthest_ball(const Contender& contender);
+[[nodiscard]] std::optional<FarthestBall> farthest_ball(const SolverRun& run);
 
 }  // namespace poolhall::compare

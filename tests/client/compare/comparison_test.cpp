@@ -1,4 +1,4 @@
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 
 #include "client/compare/number_text.hpp"
 #include "client/lab/corpora/scene_makers.hpp"
@@ -22,55 +22,56 @@ Scene cut() {
     return scene;
 }
 
-TEST(Contest, GivesEachSolversOwnShot) {
+TEST(Comparison, GivesEachSolversOwnShot) {
     const std::array solvers{kEuler30, kEvent};
-    const Contest contest = compare::contest(cut(), solvers);
-    ASSERT_EQ(contest.contenders.size(), 2U);
-    for (const Contender& contender : contest.contenders) {
+    const Comparison comparison = compare::compare_solvers(cut(), solvers);
+    ASSERT_EQ(comparison.runs.size(), 2U);
+    for (const SolverRun& run : comparison.runs) {
         Scene scene = cut();
-        scene.solver = contender.solver;
-        EXPECT_EQ(contender.trace.hash, simulate(scene).hash);
-        EXPECT_GT(contender.trace.sample_count(), 100U);
-        EXPECT_GT(contender.cpu_ns, 0);
+        scene.solver = run.solver;
+        EXPECT_EQ(run.trace.hash, simulate(scene).hash);
+        EXPECT_GT(run.trace.sample_count(), 100U);
+        EXPECT_GT(run.cpu_ns, 0);
     }
 }
 
-TEST(Contest, MeasuresFromTheEventSolverWhereverItStands) {
+TEST(Comparison, MeasuresFromTheEventSolverWhereverItStands) {
     const std::array solvers{kEuler30, kEuler480, kEvent};
-    const Contest contest = compare::contest(cut(), solvers);
-    EXPECT_EQ(contest.reference, 2U);
-    EXPECT_EQ(contest.contenders[2].rest_distance, (std::vector<double>{0, 0}));
-    const auto coarse = farthest_ball(contest.contenders[0]);
-    const auto fine = farthest_ball(contest.contenders[1]);
+    const Comparison comparison = compare::compare_solvers(cut(), solvers);
+    EXPECT_EQ(comparison.reference, 2U);
+    EXPECT_EQ(comparison.runs[2].rest_distance, (std::vector<double>{0, 0}));
+    const auto coarse = farthest_ball(comparison.runs[0]);
+    const auto fine = farthest_ball(comparison.runs[1]);
     ASSERT_TRUE(coarse && fine);
     EXPECT_GT(coarse->distance, fine->distance);
     EXPECT_GT(fine->distance, 0);
 }
 
-TEST(Contest, TheHighestRateIsTheReferenceWhereTheEventSolverRefuses) {
+TEST(Comparison, TheHighestRateIsTheReferenceWhereTheEventSolverRefuses) {
     Scene scene = cut();
     scene.effects.linear_drag = LinearDragSpec{};  // no closed form together with the cloth
     const std::array solvers{kEvent, kEuler30, kEuler480};
-    const Contest contest = compare::contest(scene, solvers);
-    EXPECT_EQ(contest.reference, 2U);
-    ASSERT_TRUE(contest.contenders[0].refusal);
-    EXPECT_EQ(contest.contenders[0].refusal->pointer, "/solver/kind");
-    EXPECT_FALSE(farthest_ball(contest.contenders[0]));
-    EXPECT_TRUE(farthest_ball(contest.contenders[1]));
+    const Comparison comparison = compare::compare_solvers(scene, solvers);
+    EXPECT_EQ(comparison.reference, 2U);
+    ASSERT_TRUE(comparison.runs[0].refusal);
+    EXPECT_EQ(comparison.runs[0].refusal->pointer, "/solver/kind");
+    EXPECT_FALSE(farthest_ball(comparison.runs[0]));
+    EXPECT_TRUE(farthest_ball(comparison.runs[1]));
 }
 
-TEST(Contest, NoReferenceWhereAllRefuse) {
+TEST(Comparison, NoReferenceWhereAllRefuse) {
     Scene scene = cut();
     scene.effects.linear_drag = LinearDragSpec{};
-    const Contest contest = compare::contest(scene, std::array{kEvent});
-    EXPECT_FALSE(contest.reference);
+    const Comparison comparison = compare::compare_solvers(scene, std::array{kEvent});
+    EXPECT_FALSE(comparison.reference);
 }
 
-TEST(Contest, SamplesOfAnEndlessShotStayWithinMemory) {
+TEST(Comparison, SamplesOfAnEndlessShotStayWithinMemory) {
     Scene scene = lab::scene_of({0, 0}, {1, 0.7});
     scene.limits.time = 1e5;
-    const Contest contest = compare::contest(scene, std::array{kEvent}, {.repeats = 1});
-    const ShotTrace& trace = contest.contenders[0].trace;
+    const Comparison comparison =
+        compare::compare_solvers(scene, std::array{kEvent}, {.repeats = 1});
+    const ShotTrace& trace = comparison.runs[0].trace;
     EXPECT_EQ(trace.outcome, Outcome::kTimeLimit);
     EXPECT_LE(static_cast<double>(trace.sample_count()), kMaxPlaces + 2);
     EXPECT_GT(static_cast<double>(trace.sample_count()), kMaxPlaces / 2);
