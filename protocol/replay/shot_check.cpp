@@ -51,8 +51,7 @@ std::string first_diverging_event(const ShotTrace& trace, const ShotEvidence& sh
 void check_solver(const SimulatedShot& simulated, const ShotEvidence& shot, Findings& found) {
     const std::string_view solver = name(simulated.trace.solver);
     if (shot.solver == solver) return;
-    for (unsigned kind = 0; kind <= static_cast<unsigned>(wire::kLast<SolverKind>); ++kind) {
-        if (shot.solver != name(static_cast<SolverKind>(kind))) continue;
+    if (find<SolverKind>(shot.solver)) {
         found.deviations.push_back(differs("solver", solver, shot.solver));
         return;
     }
