@@ -1,6 +1,6 @@
 #include "server/session/session.hpp"
 
-#include "protocol/codec.hpp"
+#include "protocol/intake/decode_client.hpp"
 #include "protocol/limits.hpp"
 #include "server/base/identity.hpp"
 #include "server/delivery/outbox.hpp"

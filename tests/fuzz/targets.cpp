@@ -1,6 +1,7 @@
 #include "tests/fuzz/targets.hpp"
 
 #include "protocol/codec.hpp"
+#include "protocol/intake/decode_client.hpp"
 #include "protocol/scene_json.hpp"
 #include "protocol/tree.hpp"
 

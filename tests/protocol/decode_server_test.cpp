@@ -82,7 +82,7 @@ TEST(DecodeServer, RefusesUnknownAndClientMessages) {
                    "field /type is no message that is known here");
 }
 
-TEST(DecodeServer, ChecksTheScene) {
+TEST(DecodeServer, RefusesASceneThatCannotBeSimulated) {
     Json tree = sample<TableChanged>();
     tree["table"]["scene"]["solver"]["hz"] = 1e300;
     expect_bad(tree, "field /table/scene/solver/hz must be a finite number within its bounds");
@@ -94,7 +94,7 @@ TEST(DecodeServer, ChecksTheScene) {
     expect_refused(tree, RejectCode::kMissingField, "field /scene/strike is missing");
 }
 
-TEST(DecodeServer, ChecksThatATableAgreesWithItself) {
+TEST(DecodeServer, RefusesATableThatContradictsItself) {
     Json tree = sample<TableChanged>();
     tree["table"]["cue_ball"] = tree["table"]["scene"]["balls"].size();
     expect_bad(tree, "field /table/cue_ball must be the index of a ball of the scene");
@@ -109,7 +109,7 @@ TEST(DecodeServer, ChecksThatATableAgreesWithItself) {
     expect_bad(tree, "field /table/phase must be one of waiting, aiming, playing, over");
 }
 
-TEST(DecodeServer, ChecksHashes) {
+TEST(DecodeServer, RefusesHashesThatAreNot16LowerCaseHexDigits) {
     for (const char* hash : {"", "0123456789abcde", "0123456789abcdefa", "0123456789ABCDEF",
                              "0x23456789abcdef", "0123456789abcde "}) {
         Json tree = sample<ShotStarted>();
@@ -121,7 +121,7 @@ TEST(DecodeServer, ChecksHashes) {
     expect_bad(tree, "field /scene_hash must be a string");
 }
 
-TEST(DecodeServer, ChecksEvents) {
+TEST(DecodeServer, RefusesEventsThatLackWhatTheirKindHas) {
     ASSERT_TRUE(decode_server(frame_with(rail_event()).dump(), Encoding::kJson).ok());
     const auto expect_bad_event = [](const std::function<void(Json&)>& spoil,
                                      const std::string& reason) {
@@ -157,7 +157,7 @@ TEST(DecodeServer, ChecksEvents) {
         "/after/0/v must have 3 elements");
 }
 
-TEST(DecodeServer, ChecksFrames) {
+TEST(DecodeServer, RefusesFramesWithBallsThatCannotBe) {
     Json tree{{"type", "frame"},
               {"shot", 1},
               {"tick", 1},
@@ -170,7 +170,7 @@ TEST(DecodeServer, ChecksFrames) {
     expect_bad(tree, "field /balls/0 must have 3 elements");
 }
 
-TEST(DecodeServer, ChecksFinalBalls) {
+TEST(DecodeServer, RefusesAPocketedBallWithoutItsPocket) {
     Json tree = sample<ShotEnded>();
     const Json state{{"r", {0, 0, 0}}, {"v", {1, 0, 0}}, {"w", {0, 0, 0}}};
     Json ball{{"motion", "pocketed"}};
@@ -179,7 +179,7 @@ TEST(DecodeServer, ChecksFinalBalls) {
     expect_bad(tree, "field /balls/0/pocket must be there for a pocketed ball and for no other");
 }
 
-TEST(DecodeServer, RefusesLongMessages) {
+TEST(DecodeServer, RefusesMessagesBeyondOneMebibyte) {
     const std::string bytes = R"({"type":"pong","seq":1})" + std::string(1U << 20U, ' ');
     EXPECT_FALSE(decode_server(bytes, Encoding::kJson).ok());
 }
