@@ -1,8 +1,8 @@
 #include "server/app/server.hpp"
 
+#include "server/http/connection.hpp"
 #include "server/net/listener.hpp"
 #include "server/room/rebuild.hpp"
-#include "server/session/connection_services.hpp"
 
 #include <boost/asio/thread_pool.hpp>
 
@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -40,6 +41,22 @@ std::vector<Loop*> loops_of(const Shards& shards) {
     return loops;
 }
 
+/// How many connections there may be: as many as there are sessions, and as files that this process
+/// may have open beside those of the store.
+std::size_t connection_limit(const ServerConfig& config) {
+    constexpr std::size_t kSpareConnections =
+        64;  // for HTTP, and to be told that the server is full
+    constexpr std::size_t kOtherFiles = 64;
+    rlimit files{};
+    const std::size_t wanted = config.max_sessions + kSpareConnections;
+    if (getrlimit(RLIMIT_NOFILE, &files) != 0 || files.rlim_cur == RLIM_INFINITY) return wanted;
+    const std::size_t possible =
+        files.rlim_cur - std::min<std::size_t>(files.rlim_cur / 2, kOtherFiles);
+    if (possible >= wanted) return wanted;
+    spdlog::warn("at most {} connections: the limit of open files is {}", possible, files.rlim_cur);
+    return possible;
+}
+
 std::chrono::milliseconds sweep_interval(std::uint32_t idle_timeout) {
     return std::min<std::chrono::milliseconds>(kMaxSweepInterval,
                                                std::chrono::milliseconds(250) * idle_timeout);
@@ -50,7 +67,8 @@ std::chrono::milliseconds sweep_interval(std::uint32_t idle_timeout) {
 struct Server::State {
     State(const ServerConfig& config, std::unique_ptr<ReplayStore> opened, Shards made,
           std::unique_ptr<Listener> bound)
-        : store(std::move(opened)),
+        : admission({connection_limit(config), config.max_per_address}, counters),
+          store(std::move(opened)),
           shards(std::move(made)),
           listener(std::move(bound)),
           lobby({*store,
@@ -58,12 +76,13 @@ struct Server::State {
                  {config.max_spectators, std::chrono::seconds(config.idle_timeout)},
                  config.max_matches,
                  loops_of(shards)}),
-          services{lobby,
-                   counters,
-                   {lobby, *store, counters, [this] { return !draining.load(); }},
-                   readers,
-                   config.allow_origin,
-                   config.max_sessions},
+          sessions{lobby, counters},
+          http{admission,
+               sessions,
+               {lobby, *store, counters, [this] { return !draining.load(); }},
+               readers,
+               config.allow_origin,
+               config.max_sessions},
           sweep_timer(shards.front()->loop),
           sweep_every(sweep_interval(config.idle_timeout)) {}
 
@@ -74,13 +93,15 @@ struct Server::State {
     void run_rest();
 
     Counters counters;
+    Admission admission;  // before the loops, which have connections to the end
     std::unique_ptr<ReplayStore> store;
     Shards shards;
     std::unique_ptr<Listener> listener;
     Lobby lobby;
     boost::asio::thread_pool readers{1};
     std::atomic<bool> draining{false};
-    ConnectionServices services;
+    ConnectionServices sessions;
+    HttpServices http;
     LoopTimer sweep_timer;
     std::chrono::milliseconds sweep_every;
 };
@@ -137,7 +158,7 @@ void Server::State::run_rest() {
 
 Result<std::unique_ptr<Server>, std::string> Server::start(const ServerConfig& config) {
     Shards shards = make_shards(config.threads);
-    auto listener = Listener::bind(config.listen, *shards.front());
+    auto listener = Listener::bind(config.listen, shards.front()->loop);
     if (!listener) return listener.error();
     auto store = ReplayStore::open({config.data});
     if (!store) return store.error().reason;
@@ -147,10 +168,10 @@ Result<std::unique_ptr<Server>, std::string> Server::start(const ServerConfig& c
     auto state =
         std::make_unique<State>(config, std::move(*store), std::move(shards), std::move(*listener));
     state->reopen_matches(*open);
-    std::vector<Shard*> all;
-    for (const auto& shard : state->shards)
-        all.push_back(shard.get());
-    state->listener->start(std::move(all), state->services);
+    state->listener->start(
+        loops_of(state->shards), [&state = *state](net::Socket socket, std::size_t shard) {
+            serve_connection(std::move(socket), *state.shards[shard], state.http);
+        });
     state->schedule_sweep();
     for (const auto& shard : state->shards)
         shard->loop.start();

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "protocol/encoding.hpp"
 #include "server/http/reply.hpp"
+#include "server/session/accepted_handshake.hpp"
 
 #include <optional>
 #include <string>
@@ -17,11 +17,6 @@ struct Handshake {
     std::string_view host;
     std::optional<std::string_view> origin;
     std::optional<std::string_view> subprotocols;  ///< Sec-WebSocket-Protocol, a list
-};
-
-struct AcceptedHandshake {
-    protocol::Encoding encoding = protocol::Encoding::kJson;
-    std::string_view subprotocol;  ///< to be named in the answer; empty if none was asked for
 };
 
 /// Accepts or refuses it, before any of it becomes a session.

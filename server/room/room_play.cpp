@@ -1,8 +1,9 @@
 // The game: aims, shots and their playout, rematches.
-#include "server/base/cpu_time.hpp"
 #include "server/base/identity.hpp"
 #include "server/room/room.hpp"
 #include "shared/physics/simulate.hpp"
+
+#include <boost/chrono/thread_clock.hpp>
 
 #include <algorithm>
 #include <spdlog/spdlog.h>
@@ -29,9 +30,9 @@ void Room::on(const Request& request, const protocol::PlaceCueBall& command) {
 }
 
 void Room::on(const Request& request, const protocol::Shoot& command) {
-    const auto begin = cpu_time_of_thread();
+    const auto begin = boost::chrono::thread_clock::now();
     ShotOutcome outcome = match_.rules().play(match_.game(), {command.direction});
-    const auto cpu = cpu_time_of_thread() - begin;
+    const std::chrono::nanoseconds cpu((boost::chrono::thread_clock::now() - begin).count());
     StoreJob job = shot_job(outcome, command.seat);
     store({std::move(job)}, [=, this, outcome = std::move(outcome)](const auto& error) {
         if (error) {

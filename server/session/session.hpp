@@ -1,7 +1,7 @@
 #pragma once
 
-#include "server/http/handshake.hpp"
 #include "server/net/asio.hpp"
+#include "server/session/accepted_handshake.hpp"
 #include "server/session/connection_services.hpp"
 
 #include <boost/beast/http/message.hpp>
