@@ -2,9 +2,9 @@
 
 #include "protocol/cbor_guard.hpp"
 #include "protocol/limits.hpp"
+#include "protocol/overflow.hpp"
 #include "protocol/text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -22,9 +22,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxKeys = 64;
 
 constexpr double kTwoTo64 = 18446744073709551616.0;
-
-/// nlohmann's code for a JSON number beyond the largest double.
-constexpr int kOverflow = 406;
 
 Json lost_number() {
     return Json::value_t::discarded;
@@ -48,77 +45,6 @@ bool is_exact(double value, std::string_view text) {
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                    std::chars_format::fixed, 0);
     return text == std::string_view(digits.data(), end.ptr);
-}
-
-/// A JSON text whose numbers beyond the largest double are null, and which nulls are such numbers.
-struct Restated {
-    std::string text;
-    std::vector<bool> lost;  ///< for each null, in order
-};
-
-/// Passes over digits; false if there are none.
-bool pass_digits(std::string_view& text) {
-    const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
-    text.remove_prefix(count);
-    return count > 0;
-}
-
-/// Whether it is a JSON number (RFC 8259, section 6) and nothing more.
-bool is_number(std::string_view text) {
-    if (text.starts_with('-')) text.remove_prefix(1);
-    const bool zero_first = text.starts_with('0');
-    const std::size_t before = text.size();
-    if (!pass_digits(text) || (zero_first && before - text.size() > 1)) return false;
-    if (text.starts_with('.')) {
-        text.remove_prefix(1);
-        if (!pass_digits(text)) return false;
-    }
-    if (text.starts_with('e') || text.starts_with('E')) {
-        text.remove_prefix(1);
-        if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
-        if (!pass_digits(text)) return false;
-    }
-    return text.empty();
-}
-
-/// Whether it is a JSON number beyond the largest double.
-bool overflows(std::string_view number) {
-    if (!is_number(number)) return false;
-    try {
-        return Json::parse(number).is_discarded();
-    } catch (const Json::exception& error) {
-        return error.id == kOverflow;
-    }
-}
-
-/// One past the string that begins at `at`, or the end of a text that does not end it.
-std::size_t end_of_string(std::string_view text, std::size_t at) {
-    for (++at; at < text.size() && text[at] != '"'; ++at)
-        if (text[at] == '\\') ++at;
-    return std::min(at + 1, text.size());
-}
-
-Restated restate(std::string_view json) {
-    Restated restated{std::string(json), {}};
-    for (std::size_t at = 0; at < json.size();) {
-        if (json[at] == '"') {
-            at = end_of_string(json, at);
-            continue;
-        }
-        const std::size_t end =
-            std::min(json.find_first_not_of("+-.0123456789eE", at), json.size());
-        const std::string_view number = json.substr(at, end - at);
-        // The shortest such number, 1e309, is longer than null.
-        if (number.size() > 4 && overflows(number)) {
-            restated.text.replace(at, number.size(), number.size(), ' ');
-            restated.text.replace(at, 4, "null");
-            restated.lost.push_back(true);
-        } else if (json[at] == 'n') {
-            restated.lost.push_back(false);
-        }
-        at = std::max(end, at + 1);
-    }
-    return restated;
 }
 
 /// Builds a tree from a parser's events and stops the parser at the first thing that is not
@@ -176,7 +102,7 @@ class Builder final : public nlohmann::json_sax<Json> {
 
     bool parse_error(std::size_t position, const std::string& /*token*/,
                      const nlohmann::json::exception& what) override {
-        overflow = what.id == kOverflow;
+        overflow = what.id == kNumberOverflow;
         error.position = position;
         return refuse("a syntax error at byte " + std::to_string(position));
     }

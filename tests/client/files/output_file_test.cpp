@@ -169,6 +169,18 @@ TEST_F(OutputFileTest, GivesANewFileTheModeThatTheUmaskLeaves) {
     EXPECT_EQ(status().st_mode & 07777U, 0640U);
 }
 
+TEST_F(OutputFileTest, KeepsASecretFromAllButItsOwner) {
+    for (const bool older : {false, true}) {
+        fs::remove(file);
+        if (older) std::ofstream(file) << "old";
+        OutputFile output(file, OutputFile::Readers::kOwnerOnly);
+        output.stream() << "secret";
+        output.finish();
+        EXPECT_EQ(text(), "secret");
+        EXPECT_EQ(status().st_mode & 07777U, 0600U);
+    }
+}
+
 TEST_F(OutputFileTest, KeepsTheOtherNamesOfAFile) {
     std::ofstream(file) << "a longer old content";
     fs::create_hard_link(file, folder / "other");
