@@ -60,7 +60,7 @@ TEST_F(BadInput, MessageThatIsNoneIsRejectedWithItsCode) {
         {"{" + shoot + "[1e7,0]}", RejectCode::kBadField},
         {"{" + shoot + R"(["1",0]})", RejectCode::kBadField},
         {"{" + shoot + "[1,0,0]}", RejectCode::kBadField},
-        {"{" + shoot + "[1e999,0]}", RejectCode::kMalformed},
+        {"{" + shoot + "[1e999,0]}", RejectCode::kBadField},
         {"{" + shoot + "[NaN,0]}", RejectCode::kMalformed},
         {R"({"type":"shoot","seq":900,"seat":2,"direction":[1,0]})", RejectCode::kBadField},
         {R"({"type":"ping","seq":-1})", RejectCode::kBadField},

@@ -2,6 +2,7 @@
 
 #include "client/desktop/app/physics_file.hpp"
 #include "client/desktop/view/layout.hpp"
+#include "protocol/intake/person_name.hpp"
 #include "protocol/text.hpp"
 #include "shared/game/end_game.hpp"
 
@@ -59,9 +60,8 @@ EarlyExit bad(const std::string& text) {
 
 std::string default_name() {
     const char* user = std::getenv("USER");
-    std::string name = user != nullptr ? user : "";
-    return !name.empty() && protocol::is_utf8(name) && !protocol::find_name_fault(name) ? name
-                                                                                        : "Player";
+    auto name = protocol::person_name(user != nullptr ? user : "");
+    return name ? *std::move(name) : "Player";
 }
 
 std::string first_line(const std::string& text) {
@@ -75,10 +75,9 @@ Result<Options, EarlyExit> options_of(const Typed& typed) {
     options.width = typed.width;
     options.height = typed.height;
     if (typed.encoding == "cbor") options.encoding = protocol::Encoding::kCbor;
-    options.name = typed.name.empty() ? default_name() : typed.name;
-    if (!protocol::is_utf8(options.name)) return bad("--name: not UTF-8");
-    if (const auto fault = protocol::find_name_fault(options.name))
-        return bad("--name: " + std::string(*fault));
+    const auto name = protocol::person_name(typed.name.empty() ? default_name() : typed.name);
+    if (!name) return bad("--name: " + std::string(name.error().reason));
+    options.name = *name;
     if (!typed.physics.empty()) {
         const auto settings = read_physics(typed.physics, kEndGameRules);
         if (!settings) return bad("--physics: " + settings.error());

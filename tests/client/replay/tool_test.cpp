@@ -152,6 +152,51 @@ TEST_F(ReplayTool, NamesTheShotThatWasForgedAndGoesOn) {
     EXPECT_EQ(run("verify --all").status, 1);
 }
 
+TEST_F(ReplayTool, ReadsStandardInputWhereTheFileIsADash) {
+    ASSERT_EQ(run("export m1 " + path("m1.jsonl")).status, 0);
+    for (const std::string command : {"show", "show --json", "verify"}) {
+        const ProgramRun piped = run(command + " --file - < " + path("m1.jsonl"));
+        EXPECT_EQ(piped.status, 0) << piped.text;
+        if (command == "verify") {
+            EXPECT_TRUE(piped.says("standard input: 6 shots, all as recorded")) << piped.text;
+        } else {
+            EXPECT_EQ(piped.text, run(command + " m1").text);
+        }
+    }
+    const ProgramRun empty = run("verify --file - < /dev/null");
+    EXPECT_EQ(empty.status, 2);
+    EXPECT_TRUE(empty.says("standard input is damaged: line 1, byte 0: there is no record"))
+        << empty.text;
+}
+
+TEST_F(ReplayTool, ReadsAFileWithTheLineEndsOfOtherSystems) {
+    const std::string file = replay_file(played_match("m1", kShots));
+    std::string other;
+    for (const char byte : file)
+        other += byte == '\n' ? std::string("\r\n") : std::string(1, byte);
+    write_file(path("crlf.jsonl"), other);
+    EXPECT_EQ(run("verify --file " + path("crlf.jsonl")).status, 0);
+    EXPECT_EQ(run("show --file " + path("crlf.jsonl")).text, run("show m1").text);
+}
+
+TEST_F(ReplayTool, LeavesNothingBesideTheStoreThatItReads) {
+    for (const std::string command : {"list", "show m1", "verify --all", "export m1 -"})
+        EXPECT_EQ(run(command).status, 0);
+    EXPECT_FALSE(std::filesystem::exists(database() + "-wal"));
+    EXPECT_FALSE(std::filesystem::exists(database() + "-shm"));
+}
+
+TEST_F(ReplayTool, ExportsThroughALinkAndKeepsTheModeOfWhatWasThere) {
+    write_file(path("private.jsonl"), "old");
+    std::filesystem::permissions(path("private.jsonl"), static_cast<std::filesystem::perms>(0600));
+    std::filesystem::create_symlink("private.jsonl", path("link.jsonl"));
+    ASSERT_EQ(run("export m1 " + path("link.jsonl")).status, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(path("link.jsonl")));
+    EXPECT_EQ(read_file(path("private.jsonl")), replay_file(played_match("m1", kShots)));
+    EXPECT_EQ(std::filesystem::status(path("private.jsonl")).permissions(),
+              static_cast<std::filesystem::perms>(0600));
+}
+
 TEST_F(ReplayTool, ReadsADamagedFileUpToTheDamage) {
     const std::string file = replay_file(played_match("m1", kShots));
     write_file(path("cut.jsonl"), file.substr(0, file.size() / 2));

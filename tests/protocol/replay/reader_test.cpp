@@ -76,6 +76,24 @@ TEST(ReplayReader, GivesTheTextAsItStands) {
     EXPECT_EQ(reader.text(), "");
 }
 
+TEST(ReplayReader, LinesMayEndWithCarriageReturnAndLineFeed) {
+    std::string file;
+    const auto records = test::played_match("m1", kShots);
+    for (const char byte : test::replay_file(records))
+        file += byte == '\n' ? std::string("\r\n") : std::string(1, byte);
+    const Reading reading = read(file);
+    EXPECT_EQ(reading.records, records.size());
+    EXPECT_TRUE(reading.ended);
+    EXPECT_FALSE(reading.damage) << reading.damage->text();
+
+    std::istringstream input(file);
+    ReplayReader reader(input);
+    ASSERT_TRUE(reader.next());
+    EXPECT_FALSE(reader.text().ends_with('\r'));
+    EXPECT_EQ(read(file.substr(0, file.size() - 1)).damage->kind, DamageKind::kTornLine);
+    EXPECT_EQ(read("\r" + file).damage->kind, DamageKind::kNotARecord);
+}
+
 TEST(ReplayReader, ATruncatedFileIsReadUpToTheCut) {
     const std::string file = test::replay_file(test::played_match("m1", kShots));
     for (std::size_t size = 0; size < file.size(); ++size) {

@@ -149,12 +149,16 @@ TEST(RecordText, EventTimesAreAllThereOrNone) {
 }
 
 TEST(RecordText, WhatIsNotJsonIsSaidToBeNone) {
-    for (const std::string text : {"", "{", "[1", "{\"n\":1e999}", "nul", "{}{}"}) {
+    for (const std::string text : {"", "{", "[1", "nul", "{}{}"}) {
         const auto record = record_from_text(text);
         ASSERT_FALSE(record) << text;
         EXPECT_FALSE(record.error().is_json) << text;
     }
     EXPECT_TRUE(record_from_text("[]").error().is_json);
+    const auto number = record_from_text("{\"n\":1e999}");
+    ASSERT_FALSE(number);
+    EXPECT_TRUE(number.error().is_json);
+    EXPECT_EQ(number.error().pointer, "/n");
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ TEST(ReplayStore, ListsMatchesNewestFirstPageByPage) {
     EXPECT_EQ(rest->at(0).created_ms, 1000);
 }
 
-TEST(ReplayStore, CountsShots) {
+TEST(ReplayStore, CountsTheShotsOfEachMatch) {
     const TemporaryFolder folder;
     const auto store = open_store(folder.path());
     store_match(*store, "m1", "BCDFGH", played_match("m1", kShots));
