@@ -7,12 +7,8 @@
 #include <nlohmann/json.hpp>
 
 namespace poolhall::protocol {
-namespace {
 
 using wire::Json;
-}
-
-}  // namespace
 
 Result<ServerMessage, DecodeError> decode_server(std::string_view bytes, Encoding encoding) {
     const auto tree = wire::read_message_tree(bytes, encoding, kMaxServerMessageBytes);

@@ -209,7 +209,7 @@ net::Async<std::variant<HttpReply, AcceptedHandshake>> respond(const HttpRequest
 net::Async<std::optional<Upgrade>> serve_http(std::shared_ptr<Wire> wire, Admission::Place& place,
                                               Shard& shard, HttpServices& services) {
     for (bool open = true; open;) {
-        if (!place.wait(Wire::closer(wire, shard.loop))) co_return std::nullopt;
+        if (!place.wait(Wire::closer(wire, shard.loop()))) co_return std::nullopt;
         auto request = co_await read_request(wire);
         if (!request || !place.work()) co_return std::nullopt;
         const Answering how{request->version(), request->keep_alive() && !place.is_reserved(),
