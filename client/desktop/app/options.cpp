@@ -18,13 +18,20 @@ struct Typed {
     std::string match;
     std::string name;
     std::string physics;
-    std::string encoding = "json";
+    std::string encoding{poolhall::name(protocol::Encoding::kJson)};
     std::string screenshots = ".";
     bool watch = false;
     bool practice = false;
     int width = 1280;
     int height = 720;
 };
+
+std::vector<std::string> encoding_names() {
+    std::vector<std::string> names;
+    for (const protocol::Encoding encoding : kValues<protocol::Encoding>)
+        names.emplace_back(name(encoding));
+    return names;
+}
 
 void declare(CLI::App& app, Typed& typed) {
     app.add_option("--server", typed.server, "server: ws://HOST:PORT or HOST:PORT")
@@ -41,7 +48,7 @@ void declare(CLI::App& app, Typed& typed) {
         ->type_name("FILE")
         ->excludes(match);
     app.add_option("--encoding", typed.encoding, "of the messages")
-        ->check(CLI::IsMember({"json", "cbor"}))
+        ->check(CLI::IsMember(encoding_names()))
         ->capture_default_str();
     app.add_option("--screenshots", typed.screenshots, "folder for screenshots")
         ->type_name("DIR")
@@ -74,7 +81,7 @@ Result<Options, EarlyExit> options_of(const Typed& typed) {
     options.screenshots = typed.screenshots;
     options.width = typed.width;
     options.height = typed.height;
-    if (typed.encoding == "cbor") options.encoding = protocol::Encoding::kCbor;
+    options.encoding = find<protocol::Encoding>(typed.encoding).value_or(options.encoding);
     const auto name = protocol::person_name(typed.name.empty() ? default_name() : typed.name);
     if (!name) return bad("--name: " + std::string(name.error().reason));
     options.name = *name;
