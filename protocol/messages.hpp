@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/enum_names.hpp"
 #include "shared/game/game_state.hpp"
 #include "shared/game/legal.hpp"
 #include "shared/game/move.hpp"
@@ -24,6 +25,10 @@ enum class Stream : std::uint8_t {
     kStates,  ///< a frame at each 30 Hz tick
     kShots,   ///< the shot and its final hash; the client simulates it itself
 };
+
+constexpr auto enum_names(Stream /*type*/) {
+    return names_of<Stream>({{Stream::kStates, "states"}, {Stream::kShots, "shots"}});
+}
 
 // ---- client to server ------------------------------------------------------------
 
@@ -155,12 +160,43 @@ enum class RejectCode : std::uint8_t {
     kStorage,  ///< the shot could not be made durable; nothing happened
 };
 
+constexpr auto enum_names(RejectCode /*type*/) {
+    return names_of<RejectCode>({{RejectCode::kMalformed, "malformed"},
+                                 {RejectCode::kUnknownType, "unknown_type"},
+                                 {RejectCode::kMissingField, "missing_field"},
+                                 {RejectCode::kUnknownField, "unknown_field"},
+                                 {RejectCode::kBadField, "bad_field"},
+                                 {RejectCode::kStaleSeq, "stale_seq"},
+                                 {RejectCode::kNotInMatch, "not_in_match"},
+                                 {RejectCode::kAlreadyInMatch, "already_in_match"},
+                                 {RejectCode::kUnknownMatch, "unknown_match"},
+                                 {RejectCode::kUnknownGame, "unknown_game"},
+                                 {RejectCode::kBadToken, "bad_token"},
+                                 {RejectCode::kMatchFull, "match_full"},
+                                 {RejectCode::kSpectatorsFull, "spectators_full"},
+                                 {RejectCode::kNotYourSeat, "not_your_seat"},
+                                 {RejectCode::kSeatTaken, "seat_taken"},
+                                 {RejectCode::kNotYourTurn, "not_your_turn"},
+                                 {RejectCode::kWrongPhase, "wrong_phase"},
+                                 {RejectCode::kIllegal, "illegal"},
+                                 {RejectCode::kServerFull, "server_full"},
+                                 {RejectCode::kShuttingDown, "shutting_down"},
+                                 {RejectCode::kStorage, "storage"}});
+}
+
 enum class Phase : std::uint8_t {
     kWaiting,  ///< a seat is open
     kAiming,
     kPlaying,  ///< a shot runs
     kOver,     ///< the game is; rematch or leave
 };
+
+constexpr auto enum_names(Phase /*type*/) {
+    return names_of<Phase>({{Phase::kWaiting, "waiting"},
+                            {Phase::kAiming, "aiming"},
+                            {Phase::kPlaying, "playing"},
+                            {Phase::kOver, "over"}});
+}
 
 struct SeatInfo {
     bool taken = false;
@@ -321,12 +357,5 @@ struct Closing {
 
 using ServerMessage = std::variant<Welcome, Accepted, Reject, Joined, TableChanged, AimChanged,
                                    ShotStarted, Frame, ShotEnded, Pong, Closing>;
-
-/// "waiting", "aiming", "playing", "over".
-[[nodiscard]] std::string_view name(Phase phase);
-/// "malformed", "unknown_type", ...: the enumerator in snake_case.
-[[nodiscard]] std::string_view name(RejectCode code);
-/// "states", "shots".
-[[nodiscard]] std::string_view name(Stream stream);
 
 }  // namespace poolhall::protocol

@@ -6,24 +6,24 @@ using protocol::ClientBody;
 using protocol::RejectCode;
 
 ClientBody Entrance::request() {
-    if (wish_.watch) return protocol::WatchMatch{wish_.code, wish_.name};
-    if (wish_.code.empty()) return new_match();
-    if (token_.empty()) token_ = tokens_.claim(wish_.server, wish_.code).value_or("");
-    if (token_.empty()) return protocol::JoinMatch{wish_.code, wish_.name};
-    return protocol::Resume{wish_.code, token_};
+    if (wanted_.watch) return protocol::WatchMatch{wanted_.code, wanted_.name};
+    if (wanted_.code.empty()) return new_match();
+    if (token_.empty()) token_ = tokens_.claim(wanted_.server, wanted_.code).value_or("");
+    if (token_.empty()) return protocol::JoinMatch{wanted_.code, wanted_.name};
+    return protocol::Resume{wanted_.code, token_};
 }
 
 protocol::CreateMatch Entrance::new_match() const {
-    protocol::CreateMatch match{wish_.name};
-    if (wish_.settings != GameSettings{}) match.settings = wish_.settings;
+    protocol::CreateMatch match{wanted_.name};
+    if (wanted_.settings != MatchSettings{}) match.settings = wanted_.settings;
     return match;
 }
 
 void Entrance::entered(const protocol::Joined& joined) {
-    wish_.code = joined.table.code;
+    wanted_.code = joined.table.code;
     if (joined.token.empty()) return;
     token_ = joined.token;
-    tokens_.keep(wish_.server, wish_.code, token_);
+    tokens_.keep(wanted_.server, wanted_.code, token_);
 }
 
 std::optional<ClientBody> Entrance::request_after(RejectCode refusal) {

@@ -1,27 +1,29 @@
 #pragma once
 
-#include "client/desktop/net/token_store.hpp"
+#include "client/play/token_keeper.hpp"
 #include "protocol/messages.hpp"
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace poolhall::client {
 
-/// What the player asked for on the command line.
-struct Wish {
+/// Which match the player wants to be in, and as whom.
+struct EntryRequest {
     std::string server;  ///< "host:port"; tokens are kept for it
     std::string code;    ///< as normalize_code gives it; empty: a new match
     std::string name;
-    bool watch = false;       ///< as a spectator
-    GameSettings settings{};  ///< of a new match
+    bool watch = false;        ///< as a spectator
+    MatchSettings settings{};  ///< of a new match
 };
 
 /// How to get into the match, first and after every loss of the connection: by a token for a seat
 /// held before, as a newcomer, or as a spectator.
 class Entrance {
   public:
-    Entrance(Wish wish, TokenStore& tokens) : wish_(std::move(wish)), tokens_(tokens) {}
+    Entrance(EntryRequest wanted, TokenKeeper& tokens)
+        : wanted_(std::move(wanted)), tokens_(tokens) {}
 
     /// What to ask a server that has just said welcome.
     [[nodiscard]] protocol::ClientBody request();
@@ -32,8 +34,8 @@ class Entrance {
   private:
     [[nodiscard]] protocol::CreateMatch new_match() const;
 
-    Wish wish_;  ///< its code becomes that of the match once it is known
-    TokenStore& tokens_;
+    EntryRequest wanted_;  ///< its code becomes that of the match once it is known
+    TokenKeeper& tokens_;
     std::string token_;
 };
 

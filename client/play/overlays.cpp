@@ -21,12 +21,14 @@ void StepTrail::step(std::span<const Vec2> before, std::span<const Vec2> after) 
     }
 }
 
-void CollisionMarks::pass(const Playback::Passed& passed) {
-    if (std::holds_alternative<Playback::ShotBegan>(passed)) marks_.clear();
-    const auto* event = std::get_if<ShotEvent>(&passed);
-    if (event == nullptr || !analysis::is_impact(*event)) return;
-    for (std::size_t i = 0; i < event->ball_count; ++i)
-        marks_.push_back({xy(event->after[i].r)});
+std::vector<CollisionMark> collision_marks(const ShotTimeline& timeline, double t) {
+    std::vector<CollisionMark> marks;
+    for (const ShotEvent& event : timeline.events().first(timeline.events_until(t))) {
+        if (!analysis::is_impact(event)) continue;
+        for (std::size_t i = 0; i < event.ball_count; ++i)
+            marks.push_back({xy(event.after[i].r)});
+    }
+    return marks;
 }
 
 }  // namespace poolhall::client

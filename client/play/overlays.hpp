@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/play/playback.hpp"
+#include "client/play/shot_timeline.hpp"
 #include "client/play/view_state.hpp"
 
 #include <span>
@@ -25,15 +25,7 @@ class StepTrail {
     std::vector<TrailRing> rings_;
 };
 
-/// Where balls met each other and the rails in the shot that is shown, or was shown last.
-class CollisionMarks {
-  public:
-    void pass(const Playback::Passed& passed);
-
-    [[nodiscard]] const std::vector<CollisionMark>& marks() const { return marks_; }
-
-  private:
-    std::vector<CollisionMark> marks_;
-};
+/// Where balls have met each other and the rails by time `t` of the shot, s.
+[[nodiscard]] std::vector<CollisionMark> collision_marks(const ShotTimeline& timeline, double t);
 
 }  // namespace poolhall::client

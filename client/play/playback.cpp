@@ -49,33 +49,53 @@ void Playback::advance(double dt) {
     move_to(std::min(target, timeline.known_until()));
 }
 
-bool Playback::step() {
+bool Playback::step(int count) {
     if (shots_.empty()) return false;
     const ShotTimeline& timeline = shots_.front().timeline;
-    const double target = time_ + kStep;
+    const double target = time_ + count * kStep;
+    if (count < 0) {
+        if (time_ <= timeline.begin()) return false;
+        seek(target < timeline.begin() + kRounding ? timeline.begin() : target);
+        return true;
+    }
     if (target > timeline.known_until() + kRounding && !timeline.complete()) return false;
     move_to(target > timeline.known_until() - kRounding ? timeline.known_until() : target);
     return true;
 }
 
+void Playback::seek(double t) {
+    if (shots_.empty()) return;
+    const ShotTimeline& timeline = shots_.front().timeline;
+    show(std::clamp(t, timeline.begin(), timeline.known_until()));
+}
+
+std::optional<Ruling> Shot::ruling_at(double t) const {
+    return ruling && t >= ruling->decided_at ? ruling : std::nullopt;
+}
+
 std::optional<Ruling> Playback::ruling() const {
-    if (shots_.empty()) return std::nullopt;
-    const auto& ruling = shots_.front().ruling;
-    return ruling && time_ >= ruling->decided_at ? ruling : std::nullopt;
+    return shots_.empty() ? std::nullopt : shots_.front().ruling_at(time_);
 }
 
 std::vector<Playback::Passed> Playback::take_passed() {
     return std::exchange(passed_, {});
 }
 
-void Playback::move_to(double t) {
+void Playback::show(double t) {
     started_ = true;
     time_ = t;
     const ShotTimeline& timeline = shots_.front().timeline;
     const auto events = timeline.events();
-    for (; next_event_ < events.size() && events[next_event_].t <= t; ++next_event_) {
-        passed_.emplace_back(events[next_event_]);
-    }
+    const std::size_t until = timeline.events_until(t);
+    while (next_event_ < until)
+        passed_.emplace_back(events[next_event_++]);
+    while (next_event_ > until)
+        passed_.emplace_back(TakenBack{events[--next_event_]});
+}
+
+void Playback::move_to(double t) {
+    show(t);
+    const ShotTimeline& timeline = shots_.front().timeline;
     if (timeline.complete() && t >= timeline.known_until()) end_shot();
 }
 

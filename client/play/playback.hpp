@@ -25,6 +25,9 @@ struct Shot {
     BallIndex cue_ball;
     ShotTimeline timeline;
     std::optional<Ruling> ruling;  ///< known when the timeline is complete
+
+    /// The ruling, if it is certain at `t`, s.
+    [[nodiscard]] std::optional<Ruling> ruling_at(double t) const;
 };
 
 /// Plays shots one after the other at the display's rate while they are still being received. It
@@ -43,10 +46,13 @@ class Playback {
     // ---- driven by the display
     /// Lets `dt` s of real time pass.
     void advance(double dt);
-    /// One step of exactly kStep, or what is left of the shot. False if so much has not been
-    /// received yet.
-    bool step();
+    /// That many steps of exactly kStep, or what is left of the shot; backwards if negative. False
+    /// if so much has not been received yet, or if there is nothing before.
+    bool step(int count = 1);
     static constexpr double kStep = 1.0 / 30;  ///< s
+    /// Shows the shot at `t` s, before or after what is shown now, held within the known time. At
+    /// its end the shot stays until time passes, or a step.
+    void seek(double t);
 
     /// The shot that is shown; null when all has been played.
     [[nodiscard]] const Shot* shot() const { return shots_.empty() ? nullptr : &shots_.front(); }
@@ -60,15 +66,22 @@ class Playback {
 
     struct ShotBegan {};
 
+    /// Time ran backwards over it.
+    struct TakenBack {
+        ShotEvent event;
+    };
+
     struct ShotFinished {
         Shot shot;
     };
 
-    using Passed = std::variant<ShotBegan, ShotEvent, ShotFinished>;
+    using Passed = std::variant<ShotBegan, ShotEvent, TakenBack, ShotFinished>;
     /// What playback passed since the last call, in order.
     [[nodiscard]] std::vector<Passed> take_passed();
 
   private:
+    /// Without the shot's end, even there.
+    void show(double t);
     void move_to(double t);
     void end_shot();
     void show_first();
@@ -78,10 +91,10 @@ class Playback {
     Pacing pacing_;
     std::deque<Shot> shots_;
     double time_ = 0;
-    std::size_t next_event_ = 0;
-    bool started_ = false;      ///< the first shot has left its first moment
-    double delay_ = 2 * kStep;  ///< s that live playback keeps behind the newest tick
-    bool starved_ = false;      ///< live playback has come to the end of what is known
+    std::size_t next_event_ = 0;  ///< of the shot that is shown: those before it have been passed
+    bool started_ = false;        ///< the first shot has left its first moment
+    double delay_ = 2 * kStep;    ///< s that live playback keeps behind the newest tick
+    bool starved_ = false;        ///< live playback has come to the end of what is known
     std::vector<Passed> passed_;
 };
 

@@ -1,5 +1,8 @@
 #include "client/play/remote_match.hpp"
 
+#include "client/play/cue_ball.hpp"
+#include "client/play/isolated.hpp"
+#include "client/play/words.hpp"
 #include "protocol/limits.hpp"
 
 #include <algorithm>
@@ -13,20 +16,28 @@ using protocol::Phase;
 using protocol::RejectCode;
 using protocol::TableState;
 
-constexpr std::size_t kMaxUnanswered = 64;
-
-template <class T>
-bool is(const ClientBody& body) {
-    return std::holds_alternative<T>(body);
+/// The command, if it is a T of that group.
+template <class T, class Group>
+const T* as(const ClientBody& body) {
+    const auto* group = std::get_if<Group>(&body);
+    return group != nullptr ? std::get_if<T>(group) : nullptr;
 }
 
-/// An aim that crosses the end of a turn on its way is nobody's mistake.
+bool is_aim(const ClientBody& body) {
+    return as<protocol::Aim, protocol::TableTalk>(body) != nullptr;
+}
+
+template <class T>
+bool is_move(const ClientBody& body) {
+    const auto* made = as<protocol::MakeMove, protocol::TurnCommand>(body);
+    return made != nullptr && std::holds_alternative<T>(made->move);
+}
+
+/// What crosses the end of a turn on its way, and is no shot, is nobody's mistake.
 bool is_worth_a_word(const protocol::Reject& reject, const std::optional<ClientBody>& command) {
     const bool late =
         reject.code == RejectCode::kNotYourTurn || reject.code == RejectCode::kWrongPhase;
-    const bool move =
-        command && (is<protocol::Aim>(*command) || is<protocol::PlaceCueBall>(*command));
-    return !(late && move);
+    return !(late && command && (is_aim(*command) || is_move<Place>(*command)));
 }
 
 bool is_passing(RejectCode code) {
@@ -36,8 +47,9 @@ bool is_passing(RejectCode code) {
 
 }  // namespace
 
-RemoteMatch::RemoteMatch(Wish wish, Transport& transport, TokenStore& tokens, Playback& playback)
-    : entrance_(std::move(wish), tokens), transport_(transport), playback_(playback) {
+RemoteMatch::RemoteMatch(EntryRequest wanted, Transport& transport, TokenKeeper& tokens,
+                         Playback& playback)
+    : entrance_(std::move(wanted), tokens), transport_(transport), playback_(playback) {
     info_.link = Link::kConnecting;
 }
 
@@ -48,14 +60,13 @@ void RemoteMatch::poll(double now) {
         ++info_.revision;
     }
     if (info_.link != Link::kOnline) return;
-    if (now_ - moved_at_ >= kMoveEvery) send_moves();
+    if (aim_unsent_ && now_ - aim_sent_at_ >= kAimEvery) send_aim();
     ping_if_due();
 }
 
 double RemoteMatch::due_in(double now) const {
     if (info_.link != Link::kOnline) return kPingEvery;
-    const bool moves = unsent_aim_ || unsent_place_;
-    const double due = moves ? moved_at_ + kMoveEvery : pinged_at_ + kPingEvery;
+    const double due = aim_unsent_ ? aim_sent_at_ + kAimEvery : pinged_at_ + kPingEvery;
     return std::max(0.0, due - now);
 }
 
@@ -64,39 +75,30 @@ std::string RemoteMatch::take_notice() {
 }
 
 // ---- commands
-// -----------------------------------------------------------------------------------------------
 
 void RemoteMatch::aim(Vec2 direction) {
     if (!info_.acting_seat()) return;
-    unsent_aim_ = direction;
     info_.table->aim = direction;
+    aim_unsent_ = true;
     ++info_.revision;
 }
 
-void RemoteMatch::place_cue_ball(Vec2 position) {
-    if (!info_.acting_seat() || !info_.table->may_place) return;
-    unsent_place_ = position;
-    set_cue_ball(position);
-    // The server points the aim anew in the same way.
-    if (const Ruleset* rules = find_ruleset(info_.table->game)) {
-        info_.table->aim = rules->default_aim(game_state_of(*info_.table));
-    }
-    unsent_aim_.reset();
+void RemoteMatch::hold_cue_ball(Vec2 position) {
+    if (!info_.acting_seat()) return;
+    if (!client::hold_cue_ball(*info_.table, position)) return;
+    aim_unsent_ = true;
     ++info_.revision;
 }
 
-void RemoteMatch::shoot(Vec2 direction) {
-    const auto seat = info_.acting_seat();
-    if (!seat || info_.link != Link::kOnline) return;
-    send_moves();
-    command(protocol::Shoot{*seat, direction});
-}
-
-void RemoteMatch::ask_new_game() {
-    if (!info_.table || info_.table->phase != Phase::kOver || info_.link != Link::kOnline) return;
-    for (std::uint8_t i = 0; i < kSeatCount; ++i) {
-        if (info_.mine[i] && !info_.table->seats[i].wants_rematch)
-            command(protocol::Rematch{Seat{i}});
+void RemoteMatch::make(const Move& move) {
+    if (info_.link != Link::kOnline) return;
+    for (const Seat seat : movers(info_, move)) {
+        if (std::holds_alternative<Shoot>(move)) {
+            const auto held = unplaced_cue_ball(*info_.table);
+            if (held) command(protocol::MakeMove{seat, Place{*held}});
+            aim_unsent_ = false;  // the shot itself will show it
+        }
+        command(protocol::MakeMove{seat, move});
     }
 }
 
@@ -123,13 +125,11 @@ void RemoteMatch::retry_now() {
 }
 
 // ---- what the transport says
-// ----------------------------------------------------------------------------------
 
 void RemoteMatch::on(const Opened& /*event*/) {
     info_.link = Link::kConnecting;
-    seq_ = 0;
+    sent_.restart();
     entry_seq_ = 0;
-    unanswered_.clear();
     closing_reason_.clear();
 }
 
@@ -137,9 +137,7 @@ void RemoteMatch::on(const Lost& event) {
     info_.link = info_.table ? Link::kLost : Link::kConnecting;
     info_.round_trip_ms.reset();
     info_.trouble = closing_reason_.empty() ? event.reason : closing_reason_;
-    unsent_aim_.reset();
-    unsent_place_.reset();
-    unanswered_.clear();
+    aim_unsent_ = false;
 }
 
 void RemoteMatch::on(const Received& event) {
@@ -157,16 +155,14 @@ void RemoteMatch::on(const protocol::Welcome& message) {
 }
 
 void RemoteMatch::on(const protocol::Accepted& message) {
-    const auto command = take_command(message.seq);
+    const auto command = sent_.take(message.seq);
     if (!command) return;
-    if (const auto* take = std::get_if<protocol::TakeSeat>(&*command)) {
+    if (const auto* take = as<protocol::TakeSeat, protocol::SeatCommand>(*command)) {
         second_seat_ = take->seat;
         info_.mine[take->seat.value] = true;
     }
-    if (const auto* leave = std::get_if<protocol::LeaveSeat>(&*command))
+    if (const auto* leave = as<protocol::LeaveSeat, protocol::SeatCommand>(*command))
         info_.mine[leave->seat.value] = false;
-    if (const auto* place = std::get_if<protocol::PlaceCueBall>(&*command))
-        confirmed_cue_ = place->position;
 }
 
 void RemoteMatch::on(const protocol::Reject& message) {
@@ -174,8 +170,9 @@ void RemoteMatch::on(const protocol::Reject& message) {
         entry_refused(message);
         return;
     }
-    const auto command = take_command(message.seq);
-    if (command && is<protocol::PlaceCueBall>(*command) && !placing()) set_cue_ball(confirmed_cue_);
+    const auto command = sent_.take(message.seq);
+    if (command && is_move<Place>(*command) && info_.table) info_.table->cue.reset();
+    if (command && is_move<Shoot>(*command)) aim_unsent_ = info_.acting_seat().has_value();
     if (is_worth_a_word(message, command)) notice_ = message.reason;
 }
 
@@ -191,8 +188,9 @@ void RemoteMatch::on(const protocol::Joined& message) {
     resume_playback(message.table);
     show_table(message.table);
     // A server that was started again has forgotten the aim; whoever aims has not.
-    if (info_.acting_seat() && info_.table->aim != message.table.aim)
-        unsent_aim_ = info_.table->aim;
+    const bool forgotten = info_.table && (info_.table->aim != message.table.aim ||
+                                           info_.table->cue != message.table.cue);
+    aim_unsent_ = forgotten && info_.acting_seat();
     pinged_at_ = now_ - kPingEvery;
 }
 
@@ -203,19 +201,17 @@ void RemoteMatch::on(const protocol::TableChanged& message) {
 void RemoteMatch::on(const protocol::AimChanged& message) {
     if (!info_.table || message.seat.value >= kSeatCount || info_.mine[message.seat.value]) return;
     info_.table->aim = message.direction;
-    confirmed_cue_ = message.cue;
-    set_cue_ball(message.cue);
+    if (info_.table->legal.place) info_.table->cue = message.cue;
 }
 
 void RemoteMatch::on(const protocol::ShotStarted& message) {
     if (!info_.table) return;
-    unsent_aim_.reset();
-    unsent_place_.reset();
+    aim_unsent_ = false;
     info_.table->phase = Phase::kPlaying;
     info_.table->shot = message.shot;
     ShotTimeline timeline(positions_of(message.scene));
-    playback_.begin(
-        {message.shot, message.scene, info_.table->cue_ball, std::move(timeline), std::nullopt});
+    playback_.begin({message.shot, message.scene, info_.table->state.cue_ball, std::move(timeline),
+                     std::nullopt});
 }
 
 void RemoteMatch::on(const protocol::Frame& message) {
@@ -250,30 +246,15 @@ void RemoteMatch::on(const protocol::Closing& message) {
 }
 
 // ---- sending
-// --------------------------------------------------------------------------------------------------
-
-std::uint32_t RemoteMatch::send(ClientBody body) {
-    transport_.send({++seq_, std::move(body)});
-    return seq_;
-}
 
 void RemoteMatch::command(ClientBody body) {
-    const std::uint32_t seq = send(body);
-    unanswered_.push_back({seq, std::move(body)});
-    if (unanswered_.size() > kMaxUnanswered) unanswered_.pop_front();
-}
-
-std::optional<ClientBody> RemoteMatch::take_command(std::uint32_t seq) {
-    const auto found = std::find_if(unanswered_.begin(), unanswered_.end(),
-                                    [seq](const Command& c) { return c.seq == seq; });
-    if (found == unanswered_.end()) return std::nullopt;
-    ClientBody body = std::move(found->body);
-    unanswered_.erase(found);
-    return body;
+    transport_.send(sent_.add(std::move(body)));
 }
 
 void RemoteMatch::enter(ClientBody request) {
-    entry_seq_ = send(std::move(request));
+    protocol::ClientMessage message = sent_.number(std::move(request));
+    entry_seq_ = message.seq;
+    transport_.send(std::move(message));
 }
 
 void RemoteMatch::entry_refused(const protocol::Reject& reject) {
@@ -286,37 +267,41 @@ void RemoteMatch::entry_refused(const protocol::Reject& reject) {
     if (is_passing(reject.code)) transport_.drop(reject.reason);
 }
 
-void RemoteMatch::send_moves() {
+void RemoteMatch::send_aim() {
+    aim_unsent_ = false;
     const auto seat = info_.acting_seat();
-    const auto place = std::exchange(unsent_place_, std::nullopt);
-    const auto direction = std::exchange(unsent_aim_, std::nullopt);
-    if (!seat || (!place && !direction)) return;
-    if (place) command(protocol::PlaceCueBall{*seat, *place});
-    if (direction) command(protocol::Aim{*seat, *direction});
-    moved_at_ = now_;
+    if (!seat) return;
+    command(protocol::Aim{*seat, info_.table->aim, info_.table->cue});
+    aim_sent_at_ = now_;
 }
 
 void RemoteMatch::ping_if_due() {
     if (now_ - pinged_at_ < kPingEvery) return;
-    ping_seq_ = send(protocol::Ping{});
+    protocol::ClientMessage ping = sent_.number(protocol::Ping{});
+    ping_seq_ = ping.seq;
+    transport_.send(std::move(ping));
     pinged_at_ = now_;
 }
 
 // ---- state
-// ------------------------------------------------------------------------------------------------------
 
 void RemoteMatch::show_table(const TableState& table) {
-    if (table.cue_ball.value >= table.scene.balls.size() || table.turn.value >= kSeatCount) return;
-    const bool my_aim_stands = info_.acting_seat() && info_.table->shot == table.shot &&
-                               info_.table->game_number == table.game_number &&
-                               info_.table->turn == table.turn;
+    const GameState& state = table.state;
+    if (state.cue_ball.value >= state.scene.balls.size() || table.legal.seat.value >= kSeatCount)
+        return;
+    // The aim and the ball in hand are this client's own as long as its turn lasts: what the server
+    // says of them is older.
+    const bool mine_stand = info_.acting_seat() && info_.table->shot == table.shot &&
+                            info_.table->game_number == table.game_number &&
+                            info_.table->legal.seat == table.legal.seat;
     const auto before = std::exchange(info_.table, table);
-    confirmed_cue_ = xy(table.scene.balls[table.cue_ball.value].state.r);
-    if (before && my_aim_stands) {
+    if (!before) return;
+    if (mine_stand) {
         info_.table->aim = before->aim;
-        if (placing()) set_cue_ball(xy(before->scene.balls[before->cue_ball.value].state.r));
+        if (table.legal.place) info_.table->cue = before->cue;
     }
-    if (before) note_changes(*before);
+    note_changes(*before);
+    note_time_out(*before);
 }
 
 void RemoteMatch::note_changes(const TableState& before) {
@@ -324,38 +309,29 @@ void RemoteMatch::note_changes(const TableState& before) {
         const auto& was = before.seats[i];
         const auto& is_now = info_.table->seats[i];
         if (info_.mine[i]) continue;
-        if (!was.taken && is_now.taken) notice_ = is_now.name + " sits down";
-        if (was.taken && !is_now.taken) notice_ = was.name + " has left";
+        if (!was.taken && is_now.taken) notice_ = isolated(is_now.name) + " sits down";
+        if (was.taken && !is_now.taken) notice_ = isolated(was.name) + " has left";
         if (!was.taken || !is_now.taken) continue;
-        if (was.connected && !is_now.connected) notice_ = is_now.name + " has lost the connection";
-        if (!was.connected && is_now.connected) notice_ = is_now.name + " is back";
+        if (was.connected && !is_now.connected)
+            notice_ = isolated(is_now.name) + " has lost the connection";
+        if (!was.connected && is_now.connected) notice_ = isolated(is_now.name) + " is back";
     }
+}
+
+void RemoteMatch::note_time_out(const TableState& before) {
+    const auto& ruling = info_.table->ruling;
+    if (ruling && ruling != before.ruling && ruling->verdict == Verdict::kTimedOut)
+        notice_ = ruling_sentence(*ruling, info_);
 }
 
 void RemoteMatch::resume_playback(const TableState& table) {
     const Shot* shot = playback_.newest();
     if (table.live || (shot != nullptr && !shot->timeline.complete())) playback_.clear();
-    if (!table.live || table.live->balls.size() != table.scene.balls.size()) return;
+    const Scene& scene = table.state.scene;
+    if (!table.live || table.live->balls.size() != scene.balls.size()) return;
     ShotTimeline timeline(table.live->balls, table.live->tick * Playback::kStep);
     playback_.begin(
-        {table.live->shot, table.scene, table.cue_ball, std::move(timeline), std::nullopt});
-}
-
-bool RemoteMatch::placing() const {
-    return unsent_place_ ||
-           std::any_of(unanswered_.begin(), unanswered_.end(),
-                       [](const Command& c) { return is<protocol::PlaceCueBall>(c.body); });
-}
-
-void RemoteMatch::set_cue_ball(Vec2 position) {
-    if (info_.table)
-        set_xy(info_.table->scene.balls[info_.table->cue_ball.value].state.r, position);
-}
-
-std::string shown_code(const std::string& code) {
-    const std::size_t half = protocol::kCodeLetters / 2;
-    return code.size() == protocol::kCodeLetters ? code.substr(0, half) + "-" + code.substr(half)
-                                                 : code;
+        {table.live->shot, scene, table.state.cue_ball, std::move(timeline), std::nullopt});
 }
 
 }  // namespace poolhall::client

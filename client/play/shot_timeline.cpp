@@ -75,6 +75,35 @@ bool ShotTimeline::sunk(BallIndex ball, double t) const {
     return sunk_at && *sunk_at <= t;
 }
 
+std::size_t ShotTimeline::events_until(double t) const {
+    const auto later =
+        std::upper_bound(events_.begin(), events_.end(), t,
+                         [](double time, const ShotEvent& event) { return time < event.t; });
+    return static_cast<std::size_t>(later - events_.begin());
+}
+
+ShotTimeline timeline_of(const SimulatedShot& shot) {
+    const ShotTrace& trace = shot.trace;
+    ShotTimeline timeline(positions_of(shot.scene));
+    std::size_t event = 0;
+    std::vector<ShotTimeline::Moved> moved(trace.balls.size());
+    // A shot that is over at once has one sample only, and events all the same.
+    const std::size_t last = std::max<std::size_t>(trace.sample_count(), 2) - 1;
+    for (std::size_t k = 1; k <= last; ++k) {
+        const double t = static_cast<double>(k) / trace.sample_hz;
+        const std::size_t first = event;
+        while (event < trace.events.size() && trace.events[event].t <= t)
+            ++event;
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+            moved[i] = {BallIndex{static_cast<std::uint16_t>(i)},
+                        xy(trace.sample(std::min(k, trace.sample_count() - 1), i))};
+        }
+        timeline.extend(t, std::span(trace.events).subspan(first, event - first), moved);
+    }
+    timeline.finish(trace.duration, trace.balls);
+    return timeline;
+}
+
 std::vector<Vec2> positions_of(const Scene& scene) {
     std::vector<Vec2> positions;
     positions.reserve(scene.balls.size());

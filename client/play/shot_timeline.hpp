@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/game/ruleset.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/physics/scene/trace.hpp"
 
@@ -11,7 +12,7 @@ namespace poolhall::client {
 
 /// Where the balls of one shot are at any time, as far as it is known. Straight between what was
 /// received; the exact points of impact are corners of the path, so that a bounce between two ticks
-/// is not cut short.
+/// is not cut short. Times can be asked for in any order.
 class ShotTimeline {
   public:
     /// `positions` (m) of all balls at time `begin` (s since the strike).
@@ -45,6 +46,9 @@ class ShotTimeline {
     /// In order of time.
     [[nodiscard]] std::span<const ShotEvent> events() const { return events_; }
 
+    /// How many of the events have happened by time `t`: those before that place in events().
+    [[nodiscard]] std::size_t events_until(double t) const;
+
   private:
     struct Knot {
         double t;
@@ -65,6 +69,9 @@ class ShotTimeline {
     double known_until_;
     bool complete_ = false;
 };
+
+/// The timeline of a shot that is known whole, from its trace's samples; complete.
+[[nodiscard]] ShotTimeline timeline_of(const SimulatedShot& shot);
 
 /// The balls' positions in a scene, in its order; m.
 [[nodiscard]] std::vector<Vec2> positions_of(const Scene& scene);

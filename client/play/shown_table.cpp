@@ -1,5 +1,10 @@
 #include "client/play/shown_table.hpp"
 
+#include "client/play/cue_ball.hpp"
+#include "client/play/overlays.hpp"
+
+#include <utility>
+
 namespace poolhall::client {
 namespace {
 
@@ -16,7 +21,18 @@ std::vector<BallView> balls_at(const Shot& shot, double t) {
 
 }  // namespace
 
-void ShownTable::refresh() {
+void ShownTable::pass(const Playback::Passed& passed) {
+    if (std::holds_alternative<Playback::ShotBegan>(passed)) finished_.reset();
+    if (const auto* end = std::get_if<Playback::ShotFinished>(&passed)) finished_ = end->shot;
+}
+
+bool ShownTable::refresh() {
+    hold_back();
+    const bool had_result = std::exchange(has_result_, result().has_value());
+    return has_result_ != had_result;
+}
+
+void ShownTable::hold_back() {
     const auto& newest = match_.info().table;
     if (playback_.idle() || !held_ || !newest) {
         held_ = newest;
@@ -31,11 +47,6 @@ void ShownTable::refresh() {
     }
 }
 
-void ShownTable::shot_finished(const Shot& shot) {
-    finished_shot_ = shot.number;
-    after_shot_ = balls_at(shot, shot.timeline.known_until());
-}
-
 std::optional<Seat> ShownTable::acting_seat() const {
     const MatchInfo& info = match_.info();
     const bool linked = info.link == Link::kOnline || info.link == Link::kOffline;
@@ -48,17 +59,23 @@ std::vector<BallView> ShownTable::balls() const {
     if (!table) return {};
     // A game that is over has cleared its table for the next one; the sunk balls stay in sight
     // until it begins.
-    if (table->phase == protocol::Phase::kOver && finished_shot_ == table->shot &&
-        finished_shot_ != 0) {
-        return after_shot_;
-    }
+    if (table->phase == protocol::Phase::kOver && finished_ && finished_->number == table->shot)
+        return balls_at(*finished_, finished_->timeline.known_until());
     std::vector<BallView> balls;
-    for (const SceneBall& ball : table->scene.balls)
+    for (const SceneBall& ball : shown_state(*table).scene.balls)
         balls.push_back({ball.id, xy(ball.state.r), false});
     return balls;
 }
 
-bool ShownTable::scratched() const {
+std::vector<CollisionMark> ShownTable::collision_marks() const {
+    if (!collision_mode_) return {};
+    if (const Shot* shot = playback_.shot())
+        return client::collision_marks(shot->timeline, playback_.time());
+    if (!finished_) return {};
+    return client::collision_marks(finished_->timeline, finished_->timeline.known_until());
+}
+
+bool ShownTable::cue_ball_is_down() const {
     const Shot* shot = playback_.shot();
     return shot != nullptr && shot->cue_ball.value < shot->timeline.ball_count() &&
            shot->timeline.sunk(shot->cue_ball, playback_.time());

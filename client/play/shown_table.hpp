@@ -1,7 +1,8 @@
 #pragma once
 
-#include "client/play/match.hpp"
+#include "client/play/client_match.hpp"
 #include "client/play/playback.hpp"
+#include "client/play/view_state.hpp"
 
 #include <optional>
 #include <vector>
@@ -12,11 +13,14 @@ namespace poolhall::client {
 /// result yet, whatever is known already.
 class ShownTable {
   public:
-    ShownTable(const Match& match, const Playback& playback) : match_(match), playback_(playback) {}
+    ShownTable(const ClientMatch& match, const Playback& playback)
+        : match_(match), playback_(playback) {}
 
-    /// To be called after the match and the playback have moved on.
-    void refresh();
-    void shot_finished(const Shot& shot);
+    /// What playback passes.
+    void pass(const Playback::Passed& passed);
+    /// To be called after the match and the playback have moved on. True if the result of the game
+    /// has come into sight by that, or has gone.
+    bool refresh();
 
     /// None before the first word from the server.
     [[nodiscard]] const std::optional<protocol::TableState>& table() const {
@@ -28,18 +32,29 @@ class ShownTable {
     /// The seat that may aim and shoot from here, now.
     [[nodiscard]] std::optional<Seat> acting_seat() const;
     [[nodiscard]] std::vector<BallView> balls() const;
+
+    /// Collision mode on or off.
+    void toggle_collision_marks() { collision_mode_ = !collision_mode_; }
+
+    [[nodiscard]] bool collision_mode() const { return collision_mode_; }
+
+    /// Where balls have met in the shot that is shown, or was shown last; none out of collision
+    /// mode.
+    [[nodiscard]] std::vector<CollisionMark> collision_marks() const;
     /// A shot is shown, and the cue ball has gone down in it.
-    [[nodiscard]] bool scratched() const;
+    [[nodiscard]] bool cue_ball_is_down() const;
     /// How the game ended, once that can be seen.
     [[nodiscard]] std::optional<Ruling> result() const;
 
   private:
-    const Match& match_;
+    void hold_back();
+
+    const ClientMatch& match_;
     const Playback& playback_;
     std::optional<protocol::TableState> held_;  ///< from before the shot that is shown
-    std::uint32_t finished_shot_ = 0;
-    std::vector<BallView>
-        after_shot_;  ///< the balls as shot `finished_shot_` left them, sunk ones too
+    std::optional<Shot> finished_;  ///< the last shot, once it has been shown, until the next
+    bool has_result_ = false;
+    bool collision_mode_ = false;
 };
 
 }  // namespace poolhall::client

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "client/play/link.hpp"
 #include "shared/aim/prediction.hpp"
-#include "shared/game/game_state.hpp"
+#include "shared/game/legal.hpp"
+#include "shared/game/seat.hpp"
 #include "shared/physics/scene/scene.hpp"
 
 #include <array>
@@ -65,8 +67,6 @@ struct SeatView {
     std::uint32_t wins = 0;
 };
 
-enum class Link : std::uint8_t { kOffline, kConnecting, kOnline, kLost };
-
 /// Who plays, and over what.
 struct MatchView {
     std::string code;  ///< join code; empty in practice
@@ -84,8 +84,8 @@ struct ViewState {
     Table table;
     double ball_radius = 0.028575;  ///< m
     std::vector<BallView> balls;
-    std::optional<double> base_line_x;  ///< shown while the cue ball may be moved along it, m
-    std::optional<AimView> aim;         ///< none while balls move
+    std::optional<Region> placement;  ///< where the centre of the cue ball in hand may be put, m
+    std::optional<AimView> aim;       ///< none while balls move
     std::vector<TrailRing> trail;
     std::vector<CollisionMark> marks;
     std::vector<SolverView> solvers;  ///< the same shot by others; up to kSolverViews, or none
@@ -95,9 +95,8 @@ struct ViewState {
     std::string hint;    ///< what to do now: "Space to shoot"; empty for none
     bool step_mode = false;
     bool collision_mode = false;
-    bool help = false;
     bool muted = false;
-    std::optional<double> frames_per_second;  ///< shown when set
+    std::optional<double> frames_per_second;  ///< shown when set; 0 while nothing moves
     std::string physics;                      ///< solver and kernel; not shown when empty
 };
 

@@ -1,6 +1,8 @@
 #include "client/play/words.hpp"
 
-#include "client/play/remote_match.hpp"
+#include "client/play/isolated.hpp"
+#include "client/play/ruling_text.hpp"
+#include "protocol/limits.hpp"
 
 #include <array>
 #include <cstdio>
@@ -21,13 +23,13 @@ std::string waiting_hint(const MatchInfo& info, const TableState& table) {
 }
 
 std::string aiming_hint(const MatchInfo& info, const TableState& table) {
-    const auto& seat = table.seats[table.turn.value];
-    if (!info.mine[table.turn.value]) {
-        return seat.connected ? seat.name + " is aiming"
-                              : seat.name + " has lost the connection; the seat is kept";
+    const auto& seat = table.seats[table.legal.seat.value];
+    if (!info.mine[table.legal.seat.value]) {
+        return seat.connected ? isolated(seat.name) + " is aiming"
+                              : isolated(seat.name) + " has lost the connection; the seat is kept";
     }
-    const std::string whose = info.hot_seat() ? seat.name + "'s turn: " : "Your turn: ";
-    const std::string place = table.may_place ? "Up and Down place the cue ball, " : "";
+    const std::string whose = info.hot_seat() ? isolated(seat.name) + "'s turn: " : "Your turn: ";
+    const std::string place = table.legal.place ? "Up and Down place the cue ball, " : "";
     return whose + place + "Left and Right aim, Space shoots";
 }
 
@@ -38,7 +40,8 @@ std::string rematch_hint(const MatchInfo& info, const TableState& table) {
         if (info.mine[i] && !table.seats[i].wants_rematch) return "Space asks for a rematch";
     }
     for (std::size_t i = 0; i < kSeatCount; ++i) {
-        if (!info.mine[i]) return "Waiting for " + table.seats[i].name + " to agree to a rematch";
+        if (!info.mine[i])
+            return "Waiting for " + isolated(table.seats[i].name) + " to agree to a rematch";
     }
     return "";
 }
@@ -46,7 +49,7 @@ std::string rematch_hint(const MatchInfo& info, const TableState& table) {
 /// "You", or the name of who sits there; with the seat where both have one name.
 std::string who(Seat seat, const MatchInfo& info, const TableState& table) {
     if (info.mine[seat.value] && !info.hot_seat()) return "You";
-    const std::string& name = table.seats[seat.value].name;
+    const std::string name = isolated(table.seats[seat.value].name);
     const bool same = table.seats[0].name == table.seats[1].name;
     return same ? name + (seat.value == 0 ? " (left seat)" : " (right seat)") : name;
 }
@@ -54,15 +57,10 @@ std::string who(Seat seat, const MatchInfo& info, const TableState& table) {
 std::string title_of(const Ruling& result, const MatchInfo& info, const TableState& table) {
     const Seat loser = opponent(*result.winner);
     const bool i_lose = info.mine[loser.value] && !info.hot_seat();
-    if (i_lose) return "You lose";
+    if (i_lose) return table.winner ? "You lose the match" : "You lose";
     const std::string winner = who(*result.winner, info, table);
-    return winner + (winner == "You" ? " win" : " wins");
-}
-
-std::string subtitle_of(const Ruling& result, const MatchInfo& info, const TableState& table) {
-    if (result.verdict != Verdict::kScratch) return "The 8-ball is down";
-    const std::string shooter = who(result.shooter, info, table);
-    return "Scratch: " + (shooter == "You" ? "you" : shooter) + " sank the cue ball";
+    const std::string what = table.winner ? " the match" : "";
+    return winner + (winner == "You" ? " win" : " wins") + what;
 }
 
 }  // namespace
@@ -75,7 +73,7 @@ std::string hint(const MatchInfo& info, const ShownTable& shown, bool step_mode)
         if (step_mode)
             return "Step mode: Space advances 1/30 s, F5 adds other solvers, F3 leaves it";
         if (shown.result() && practice(info)) return "Space starts a new game";
-        return shown.scratched() ? "Scratch: the cue ball is down" : "";
+        return shown.cue_ball_is_down() ? "Scratch: the cue ball is down" : "";
     }
     switch (table->phase) {
         case Phase::kWaiting:
@@ -101,7 +99,7 @@ std::optional<Banner> banner(const MatchInfo& info, const ShownTable& shown) {
     }
     const auto result = shown.result();
     if (!result) return std::nullopt;
-    return Banner{title_of(*result, info, *table), subtitle_of(*result, info, *table),
+    return Banner{title_of(*result, info, *table), ruling_sentence(*result, info),
                   tone_of(*result, info)};
 }
 
@@ -112,7 +110,7 @@ Tone tone_of(const Ruling& result, const MatchInfo& info) {
 
 std::string physics_of(const MatchInfo& info) {
     if (!info.table) return "";
-    const auto [kind, hz] = info.table->scene.solver;
+    const auto [kind, hz] = info.table->state.scene.solver;
     std::string words(name(kind));
     std::array<char, 32> rate{};
     std::snprintf(rate.data(), rate.size(), " %g Hz", hz);
@@ -121,11 +119,17 @@ std::string physics_of(const MatchInfo& info) {
 }
 
 bool has_own_physics(const MatchInfo& info) {
-    const Ruleset* rules = info.table ? find_ruleset(info.table->game) : nullptr;
-    if (rules == nullptr) return false;
-    const Scene own = rules->new_game(Seat{0}).scene;
-    const Scene& played = info.table->scene;
-    return played.effects != own.effects || played.solver != own.solver;
+    return info.table && info.table->settings && info.table->settings->game != GameSettings{};
+}
+
+std::string ruling_sentence(const Ruling& ruling, const MatchInfo& info) {
+    return ruling_text(info.table->game, ruling, who(ruling.shooter, info, *info.table));
+}
+
+std::string shown_code(const std::string& code) {
+    const std::size_t half = protocol::kCodeLetters / 2;
+    return code.size() == protocol::kCodeLetters ? code.substr(0, half) + "-" + code.substr(half)
+                                                 : code;
 }
 
 }  // namespace poolhall::client

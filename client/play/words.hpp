@@ -1,6 +1,7 @@
 #pragma once
 
 #include "client/play/shown_table.hpp"
+#include "client/play/view_state.hpp"
 
 #include <string>
 
@@ -17,10 +18,16 @@ namespace poolhall::client {
 /// joy.
 [[nodiscard]] Tone tone_of(const Ruling& result, const MatchInfo& info);
 
+/// The ruling as who sits here reads it; the table must be known.
+[[nodiscard]] std::string ruling_sentence(const Ruling& ruling, const MatchInfo& info);
+
 /// "euler 30 Hz, drag_rails_pockets": the solver, and the kernel of the last shot if there was one.
 [[nodiscard]] std::string physics_of(const MatchInfo& info);
 
 /// Whether the match is played with other physics than its game's own.
 [[nodiscard]] bool has_own_physics(const MatchInfo& info);
+
+/// A join code as people read it aloud: "BCD-FGH".
+[[nodiscard]] std::string shown_code(const std::string& code);
 
 }  // namespace poolhall::client

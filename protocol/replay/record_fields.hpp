@@ -47,7 +47,7 @@ inline constexpr Text kShortText{1, 64};
 inline constexpr Text kReasonText{0, 256};
 /// Not PersonName: what counts as a name may change, and a log keeps those that were taken.
 inline constexpr Text kNameText{0, kMaxNameBytes};
-inline constexpr Real kSeconds{0, kAnyMagnitude};
+inline constexpr Number kSeconds{0, kAnyMagnitude};
 
 template <>
 inline constexpr auto kFields<MatchRecord> = std::tuple{
@@ -74,7 +74,7 @@ inline constexpr auto kFields<ShotEvidence> = std::tuple{
     field("trace", &ShotEvidence::trace, Hash{}),
     field("duration", &ShotEvidence::duration, kSeconds),
     field("event_count", &ShotEvidence::event_count),
-    field("event_times", &ShotEvidence::event_times, List<Real>{kSeconds, kMaxEventTimes}),
+    field("event_times", &ShotEvidence::event_times, List<Number>{kSeconds, kMaxEventTimes}),
 };
 
 template <>
@@ -105,7 +105,7 @@ inline constexpr auto kFields<ShotRecord> = std::tuple{
     field("final_hash", &ShotRecord::final_hash, Hash{}),
     field("duration", &ShotRecord::duration, kSeconds),
     field("event_count", &ShotRecord::event_count),
-    field("event_times", &ShotRecord::event_times, List<Real>{kSeconds, kMaxEventTimes}),
+    field("event_times", &ShotRecord::event_times, List<Number>{kSeconds, kMaxEventTimes}),
     field("ruling", &ShotRecord::ruling),
     field("at_ms", &ShotRecord::at_ms, Count{}),
 };

@@ -35,13 +35,13 @@ bool expect_text(const Cursor& cursor) {
     return cursor.json().is_string() || cursor.refuse("must be a string");
 }
 
-bool Real::read(const Cursor& cursor, double& value) const {
+bool Number::read(const Cursor& cursor, double& value) const {
     if (!read_finite(cursor, value)) return false;
     if (value >= min && value <= max) return true;
     return cursor.refuse("must be from " + Json(min).dump() + " to " + Json(max).dump());
 }
 
-bool SceneReal::read(const Cursor& cursor, double& value) const {
+bool SceneNumber::read(const Cursor& cursor, double& value) const {
     if (!cursor.json().is_string() || !cursor.reads_hex_floats()) return read_finite(cursor, value);
     const auto number = parse_hex_float(text_of(cursor));
     if (!number) return cursor.refuse("must be a number or a finite C hex-float string");
@@ -116,7 +116,7 @@ bool Token::read(const Cursor& cursor, std::string& value) const {
 
 bool Vector2::read(const Cursor& cursor, Vec2& value) const {
     if (!expect_array(cursor, 2, 2)) return false;
-    const Real component{-limit, limit};
+    const Number component{-limit, limit};
     return component.read(cursor.element(0), value.x) && component.read(cursor.element(1), value.y);
 }
 
@@ -127,7 +127,7 @@ bool Direction::read(const Cursor& cursor, Vec2& value) const {
 
 bool Vector3::read(const Cursor& cursor, Vec3& value) const {
     if (!expect_array(cursor, min_count, 3)) return false;
-    const SceneReal component;
+    const SceneNumber component;
     return component.read(cursor.element(0), value.x) &&
            component.read(cursor.element(1), value.y) &&
            (cursor.json().size() < 3 || component.read(cursor.element(2), value.z));
@@ -135,7 +135,7 @@ bool Vector3::read(const Cursor& cursor, Vec3& value) const {
 
 bool SceneVector2::read(const Cursor& cursor, Vec2& value) const {
     if (!expect_array(cursor, 2, 2)) return false;
-    const SceneReal component;
+    const SceneNumber component;
     return component.read(cursor.element(0), value.x) && component.read(cursor.element(1), value.y);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "protocol/limits.hpp"
-#include "protocol/wire/enums.hpp"
+#include "protocol/messages.hpp"
 #include "protocol/wire/fields.hpp"
 
 #include <array>
@@ -17,7 +17,7 @@ namespace poolhall::protocol::wire {
 inline constexpr double kAnyMagnitude = std::numeric_limits<double>::max();
 
 /// A finite number.
-struct Real {
+struct Number {
     double min = -kAnyMagnitude;
     double max = kAnyMagnitude;
 
@@ -27,7 +27,7 @@ struct Real {
 };
 
 /// A number of a scene: a JSON number or, in files, a string with a C hex-float.
-struct SceneReal {
+struct SceneNumber {
     [[nodiscard]] bool read(const Cursor& cursor, double& value) const;
 
     [[nodiscard]] Json write(double value, Encoding /*encoding*/) const { return value; }
@@ -169,28 +169,28 @@ struct SceneVector2 {
 /// Checks for a string.
 [[nodiscard]] bool expect_text(const Cursor& cursor);
 
-template <class T>
-concept Enumeration = std::is_enum_v<T>;
-
-/// The name of an enumerator.
-template <Enumeration E>
+/// The name of an enumerator, but for those without one.
+template <NamedEnum E>
 struct Named {
     [[nodiscard]] bool read(const Cursor& cursor, E& value) const {
         if (!expect_text(cursor)) return false;
-        const auto& text = cursor.json().template get_ref<const std::string&>();
-        std::string choices;
-        for (unsigned i = 0; i <= static_cast<unsigned>(kLast<E>); ++i) {
-            const auto candidate = static_cast<E>(i);
-            if (name(candidate) == text) {
-                value = candidate;
-                return true;
-            }
-            choices.append(i == 0 ? "" : ", ").append(name(candidate));
-        }
-        return cursor.refuse("must be one of " + choices);
+        const auto found = find<E>(cursor.json().template get_ref<const std::string&>());
+        if (!found) return cursor.refuse("must be one of " + choices());
+        value = *found;
+        return true;
     }
 
-    [[nodiscard]] Json write(E value, Encoding /*encoding*/) const { return name(value); }
+    [[nodiscard]] Json write(E value, Encoding /*encoding*/) const { return poolhall::name(value); }
+
+  private:
+    static std::string choices() {
+        std::string all;
+        for (const E value : kValues<E>) {
+            const std::string_view one = poolhall::name(value);
+            if (!one.empty()) all.append(all.empty() ? "" : ", ").append(one);
+        }
+        return all;
+    }
 };
 
 /// An object with kFields.
@@ -259,7 +259,7 @@ template <>
 struct DefaultCodec<bool> : Boolean {};
 
 template <>
-struct DefaultCodec<double> : Real {};
+struct DefaultCodec<double> : Number {};
 
 template <>
 struct DefaultCodec<std::uint32_t> : Integer {};
@@ -270,7 +270,7 @@ struct DefaultCodec<Seat> : SeatNumber {};
 template <>
 struct DefaultCodec<BallIndex> : BallNumber {};
 
-template <Enumeration E>
+template <NamedEnum E>
 struct DefaultCodec<E> : Named<E> {};
 
 template <HasFields T>

@@ -16,9 +16,11 @@
 // Objects are described by a list of their fields (kFields), and that list is all there is: it
 // drives writing, reading, the refusal of unknown fields and the tests of the schemas.
 //
-// A codec is a small value with two members:
-//     bool read(const Cursor& cursor, T& value) const;      // checks everything; refuses through
-//     the cursor Json write(const T& value, Encoding encoding) const;
+// A codec is a small value with two members, of which the first checks everything and refuses
+// through the cursor:
+//
+//     bool read(const Cursor& cursor, T& value) const;
+//     Json write(const T& value, Encoding encoding) const;
 namespace poolhall::protocol::wire {
 
 enum class Presence : std::uint8_t {

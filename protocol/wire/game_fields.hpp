@@ -13,9 +13,9 @@ namespace poolhall::protocol::wire {
 template <>
 inline constexpr auto kFields<Stroke> = std::tuple{
     field("direction", &Stroke::direction, Direction{}),
-    field("speed", &Stroke::speed, Real{0, kAnyMagnitude}),
+    field("speed", &Stroke::speed, Number{0, kAnyMagnitude}),
     field("offset", &Stroke::offset, Vector2{1}).or_default(),
-    field("elevation", &Stroke::elevation, Real{0, kAnyMagnitude}).or_default(),
+    field("elevation", &Stroke::elevation, Number{0, kAnyMagnitude}).or_default(),
 };
 
 template <>
@@ -34,23 +34,15 @@ template <>
 inline constexpr auto kFields<TimeOut> = std::tuple{};
 
 template <>
-inline constexpr auto kFields<EndGamePart> = std::tuple{field("in_hand", &EndGamePart::in_hand)};
+struct DefaultCodec<Scene> : SceneCodec {};
+
+template <>
+struct DefaultCodec<GamePart> : Tagged {};
 
 /// A whole state, whose parts agree with one another.
 struct GameStateCodec {
     [[nodiscard]] bool read(const Cursor& cursor, GameState& state) const;
     [[nodiscard]] Json write(const GameState& state, Encoding encoding) const;
-};
-
-template <>
-inline constexpr auto kFields<GameState> = std::tuple{
-    field("scene", &GameState::scene, SceneCodec{}),
-    field("cue_ball", &GameState::cue_ball),
-    field("turn", &GameState::turn),
-    field("shots", &GameState::shots),
-    field("over", &GameState::over),
-    field("winner", &GameState::winner),
-    field("part", &GameState::part, Tagged{}),
 };
 
 template <>
@@ -61,11 +53,11 @@ inline constexpr auto kFields<Region> = std::tuple{
 
 template <>
 inline constexpr auto kFields<StrokeBounds> = std::tuple{
-    field("min_speed", &StrokeBounds::min_speed, Real{0, kAnyMagnitude}),
-    field("max_speed", &StrokeBounds::max_speed, Real{0, kAnyMagnitude}),
-    field("own_speed", &StrokeBounds::own_speed, Real{0, kAnyMagnitude}),
-    field("max_offset", &StrokeBounds::max_offset, Real{0, 1}),
-    field("max_elevation", &StrokeBounds::max_elevation, Real{0, kAnyMagnitude}),
+    field("min_speed", &StrokeBounds::min_speed, Number{0, kAnyMagnitude}),
+    field("max_speed", &StrokeBounds::max_speed, Number{0, kAnyMagnitude}),
+    field("own_speed", &StrokeBounds::own_speed, Number{0, kAnyMagnitude}),
+    field("max_offset", &StrokeBounds::max_offset, Number{0, 1}),
+    field("max_elevation", &StrokeBounds::max_elevation, Number{0, kAnyMagnitude}),
 };
 
 template <>
@@ -76,13 +68,19 @@ inline constexpr auto kFields<Legal> = std::tuple{
     field("aim", &Legal::aim, Direction{}),
 };
 
+/// What is legal, with bounds that leave something between them.
+struct LegalCodec {
+    [[nodiscard]] bool read(const Cursor& cursor, Legal& legal) const;
+    [[nodiscard]] Json write(const Legal& legal, Encoding encoding) const;
+};
+
 template <>
 inline constexpr auto kFields<Ruling> = std::tuple{
     field("verdict", &Ruling::verdict),
     field("shooter", &Ruling::shooter),
     field("next", &Ruling::next),
     field("winner", &Ruling::winner),
-    field("decided_at", &Ruling::decided_at, Real{0, kAnyMagnitude}),
+    field("decided_at", &Ruling::decided_at, Number{0, kAnyMagnitude}),
 };
 
 }  // namespace poolhall::protocol::wire

@@ -1,5 +1,7 @@
 #include "protocol/wire/scene_fields.hpp"
 
+#include "shared/physics/check.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -26,10 +28,11 @@ bool read_strike(const Cursor& cursor, Scene& scene) {
     if (!read_fields(cursor, form)) return false;
     const auto ball = find_ball(scene, form.ball);
     if (!ball) return cursor.refuse_at("/ball", "must be the id of a ball");
-    if (form.direction.z != 0 && form.elevation != 0)
+    if (form.direction.z != 0 && form.strike.elevation != 0)
         return cursor.refuse_at("/elevation", "must not be given besides a direction that falls");
-    scene.strike = Strike{*ball,       xy(form.direction), form.speed,
-                          form.offset, form.elevation,     form.end_mass_ratio};
+    scene.strike = form.strike;
+    scene.strike->ball = *ball;
+    scene.strike->direction = xy(form.direction);
     if (form.direction.z == 0) return true;
     if (xy(form.direction) == Vec2{})
         return cursor.refuse_at("/direction", "must not point straight down");
@@ -38,12 +41,7 @@ bool read_strike(const Cursor& cursor, Scene& scene) {
 }
 
 StrikeForm form_of(const Scene& scene, const Strike& strike) {
-    return {scene.balls[strike.ball.value].id,
-            {strike.direction.x, strike.direction.y, 0},
-            strike.speed,
-            strike.offset,
-            strike.elevation,
-            strike.end_mass_ratio};
+    return {scene.balls[strike.ball.value].id, {strike.direction.x, strike.direction.y, 0}, strike};
 }
 
 constexpr List<Object<PocketCircle>> kCircleList{{}, kMaxPocketCircles};

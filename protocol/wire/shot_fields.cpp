@@ -78,7 +78,7 @@ Json FinalBallCodec::write(const FinalBall& ball, Encoding encoding) const {
 
 bool FrameBallCodec::read(const Cursor& cursor, Frame::Ball& ball) const {
     if (!expect_array(cursor, 3, 3)) return false;
-    const Real coordinate{-kMaxPositionComponent, kMaxPositionComponent};
+    const Number coordinate{-kMaxPositionComponent, kMaxPositionComponent};
     return BallNumber{}.read(cursor.element(0), ball.ball) &&
            coordinate.read(cursor.element(1), ball.r.x) &&
            coordinate.read(cursor.element(2), ball.r.y);

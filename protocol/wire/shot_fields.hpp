@@ -1,6 +1,7 @@
 #pragma once
 
 #include "protocol/wire/codecs.hpp"
+#include "protocol/wire/listed_fields.hpp"
 
 #include <optional>
 #include <tuple>
@@ -8,13 +9,6 @@
 
 // Events, states and rulings as they stand in messages: compact, balls by index.
 namespace poolhall::protocol::wire {
-
-template <>
-inline constexpr auto kFields<BallState> = std::tuple{
-    field("r", &BallState::r, Vector3{}),
-    field("v", &BallState::v, Vector3{}),
-    field("w", &BallState::w, Vector3{}),
-};
 
 /// A ShotEvent without its meaningless members.
 struct EventForm {
@@ -29,7 +23,7 @@ struct EventForm {
 
 template <>
 inline constexpr auto kFields<EventForm> = std::tuple{
-    field("t", &EventForm::t, Real{0, kAnyMagnitude}),
+    field("t", &EventForm::t, Number{0, kAnyMagnitude}),
     field("kind", &EventForm::kind),
     field("balls", &EventForm::balls, List<BallNumber>{{}, 2}),
     field("rail", &EventForm::rail),

@@ -9,8 +9,6 @@ namespace poolhall::server {
 
 namespace {
 
-constexpr std::size_t kSolvers = static_cast<std::size_t>(SolverKind::kEvent) + 1;
-
 std::size_t cell_of(SolverKind solver, std::string_view kernel) {
     const auto kernels = kernel_names();
     const auto found = std::find(kernels.begin(), kernels.end(), kernel);
@@ -21,7 +19,7 @@ std::size_t cell_of(SolverKind solver, std::string_view kernel) {
 
 }  // namespace
 
-ShotCosts::ShotCosts() : cells_(kSolvers * kernel_names().size()) {}
+ShotCosts::ShotCosts() : cells_(kCount<SolverKind> * kernel_names().size()) {}
 
 void ShotCosts::add(SolverKind solver, std::string_view kernel, std::chrono::nanoseconds cpu) {
     Cell& cell = cells_[cell_of(solver, kernel)];

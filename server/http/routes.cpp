@@ -35,7 +35,7 @@ json to_json(const MatchSummary& match) {
                          {"wins", seat.wins}});
     json listed{{"match", match.id},
                 {"game", match.game},
-                {"phase", protocol::name(match.phase)},
+                {"phase", name(match.phase)},
                 {"game_number", match.game_number},
                 {"shots", match.shots},
                 {"spectators", match.spectators},

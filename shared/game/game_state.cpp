@@ -1,37 +1,52 @@
 #include "shared/game/game_state.hpp"
 
 #include "shared/math/state_hash.hpp"
-#include "shared/physics/scene/trace.hpp"
-
-#include <array>
 
 namespace poolhall {
 
 namespace {
 
-void add(StateHash& hash, const EndGamePart& part) {
-    hash.add(std::uint64_t{part.in_hand});
-}
+class GameHash {
+  public:
+    template <HasFieldList T>
+    void add_fields(const T& object) {
+        for_each_field(object, [this](const auto&, const auto& member) { add(member); });
+    }
+
+    [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
+
+  private:
+    void add(const Scene& scene) { hash_.add(hash_of(scene)); }
+
+    void add(BallIndex ball) { hash_.add(std::uint64_t{ball.value}); }
+
+    void add(Seat seat) { hash_.add(std::uint64_t{seat.value}); }
+
+    void add(std::uint32_t number) { hash_.add(std::uint64_t{number}); }
+
+    void add(bool flag) { hash_.add(std::uint64_t{flag}); }
+
+    template <class T>
+    void add(const std::optional<T>& member) {
+        add(member.has_value());
+        if (member) add(*member);
+    }
+
+    /// By its place among the games: new ones go to the end.
+    void add(const GamePart& part) {
+        hash_.add(std::uint64_t{part.index()});
+        std::visit([this](const auto& fields) { add_fields(fields); }, part);
+    }
+
+    StateHash hash_;
+};
 
 }  // namespace
 
 std::uint64_t hash_of(const GameState& state) {
-    StateHash hash;
-    hash.add(hash_of(state.scene));
-    hash.add(std::uint64_t{state.cue_ball.value});
-    hash.add(std::uint64_t{state.turn.value});
-    hash.add(std::uint64_t{state.shots});
-    hash.add(std::uint64_t{state.over});
-    hash.add(std::uint64_t{state.winner ? 1U + state.winner->value : 0U});
-    hash.add(std::uint64_t{state.part.index()});
-    std::visit([&](const auto& part) { add(hash, part); }, state.part);
+    GameHash hash;
+    hash.add_fields(state);
     return hash.value();
-}
-
-std::string_view name(Verdict verdict) {
-    constexpr std::array<std::string_view, 5> kNames{"turn_passes", "won", "scratch", "conceded",
-                                                     "timed_out"};
-    return kNames[static_cast<std::size_t>(verdict)];
 }
 
 }  // namespace poolhall

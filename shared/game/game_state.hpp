@@ -1,12 +1,14 @@
 #pragma once
 
+#include "shared/enum_names.hpp"
+#include "shared/fields.hpp"
 #include "shared/game/end_game_part.hpp"
 #include "shared/game/seat.hpp"
 #include "shared/physics/scene/scene.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
+#include <tuple>
 #include <variant>
 
 namespace poolhall {
@@ -25,6 +27,14 @@ struct GameState {
     std::optional<Seat> winner;  ///< set when over
     GamePart part;
 
+    static constexpr auto field_list() {
+        return std::tuple{
+            fields::of("scene", &GameState::scene), fields::of("cue_ball", &GameState::cue_ball),
+            fields::of("turn", &GameState::turn),   fields::of("shots", &GameState::shots),
+            fields::of("over", &GameState::over),   fields::of("winner", &GameState::winner),
+            fields::of("part", &GameState::part)};
+    }
+
     friend bool operator==(const GameState&, const GameState&) = default;
 };
 
@@ -41,6 +51,14 @@ enum class Verdict : std::uint8_t {
     kTimedOut,  ///< the seat had used up its time: the turn passes
 };
 
+constexpr auto enum_names(Verdict /*type*/) {
+    return names_of<Verdict>({{Verdict::kTurnPasses, "turn_passes"},
+                              {Verdict::kWon, "won"},
+                              {Verdict::kScratch, "scratch"},
+                              {Verdict::kConceded, "conceded"},
+                              {Verdict::kTimedOut, "timed_out"}});
+}
+
 struct Ruling {
     Verdict verdict = Verdict::kTurnPasses;
     Seat shooter;                ///< whose move it was
@@ -50,8 +68,5 @@ struct Ruling {
 
     friend bool operator==(const Ruling&, const Ruling&) = default;
 };
-
-/// "turn_passes", "won", "scratch", "conceded", "timed_out".
-[[nodiscard]] std::string_view name(Verdict verdict);
 
 }  // namespace poolhall

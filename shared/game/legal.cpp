@@ -1,7 +1,6 @@
 #include "shared/game/legal.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace poolhall {
@@ -72,12 +71,6 @@ Move completed(const Legal& legal, Move move) {
     if (auto* place = std::get_if<Place>(&move); place && legal.place)
         place->position = nearest_place(*legal.place, place->position);
     return move;
-}
-
-std::string_view name(Illegal reason) {
-    constexpr std::array<std::string_view, 4> kNames{"not_offered", "out_of_region",
-                                                     "bad_direction", "out_of_bounds"};
-    return kNames[static_cast<std::size_t>(reason)];
 }
 
 }  // namespace poolhall

@@ -48,6 +48,13 @@ enum class Illegal : std::uint8_t {
     kOutOfBounds,   ///< asks for more of the cue than the game allows
 };
 
+constexpr auto enum_names(Illegal /*type*/) {
+    return names_of<Illegal>({{Illegal::kNotOffered, "not_offered"},
+                              {Illegal::kOutOfRegion, "out_of_region"},
+                              {Illegal::kBadDirection, "bad_direction"},
+                              {Illegal::kOutOfBounds, "out_of_bounds"}});
+}
+
 struct IllegalMove {
     Illegal code = Illegal::kNotOffered;
     std::string_view field;  ///< JSON pointer into the move: "/strike/speed"; empty for the whole
@@ -64,8 +71,5 @@ struct IllegalMove {
 /// The legal move with what it left open filled in, and with a place that rounding has taken out of
 /// the region put back: as it is played and logged.
 [[nodiscard]] Move completed(const Legal& legal, Move move);
-
-/// "not_offered", "out_of_region", "bad_direction", "out_of_bounds".
-[[nodiscard]] std::string_view name(Illegal reason);
 
 }  // namespace poolhall

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/enum_names.hpp"
 #include "shared/math/vec2.hpp"
 
 #include <cstdint>
@@ -13,10 +14,10 @@ namespace poolhall {
 
 /// How the player wants the cue ball struck. Directions and offsets are those of Strike.
 struct Stroke {
-    Vec2 direction{1, 0};       ///< of any length but zero
-    std::optional<Real> speed;  ///< of the ball right after it, m/s; none: the game's own
-    Vec2 offset = {};           ///< of the tip, [right, up], in radii of the ball
-    Real elevation = 0;         ///< slope of the cue
+    Vec2 direction{1, 0};            ///< of any length but zero
+    std::optional<Real> speed = {};  ///< of the ball right after it, m/s; none: the game's own
+    Vec2 offset = {};                ///< of the tip, [right, up], in radii of the ball
+    Real elevation = 0;              ///< slope of the cue
 
     friend bool operator==(const Stroke&, const Stroke&) = default;
 };
@@ -48,6 +49,10 @@ enum class Accord : std::uint8_t {
     kRematch,  ///< another game, once one is over
 };
 
+constexpr auto enum_names(Accord /*type*/) {
+    return names_of<Accord>({{Accord::kRematch, "rematch"}});
+}
+
 /// One seat's consent; the other's brings it about.
 struct Agree {
     static constexpr std::string_view kType = "agree";
@@ -65,8 +70,5 @@ struct TimeOut {
 
 /// The list of moves.
 using Move = std::variant<Shoot, Place, Concede, Agree, TimeOut>;
-
-/// "rematch".
-[[nodiscard]] std::string_view name(Accord accord);
 
 }  // namespace poolhall

@@ -1,7 +1,8 @@
 #include "shared/game/resting.hpp"
 
+#include "shared/physics/motion/moving_ball.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 namespace poolhall {
 
@@ -10,20 +11,17 @@ namespace {
 /// Parted balls may meet others, but ever fewer: two need one round, a rack that fits needs few.
 constexpr int kMaxRounds = 100;
 
-/// Between the centres of two balls that touch on the cloth, in the plane, m.
-double touching_distance(const Scene& scene, const SceneBall& a, const SceneBall& b) {
-    return 2 * std::sqrt(radius_of(scene, a) * radius_of(scene, b));
-}
-
 bool overlap(const Scene& scene, const SceneBall& a, const SceneBall& b) {
-    return norm(xy(b.state.r) - xy(a.state.r)) < touching_distance(scene, a, b) - kTouchTolerance;
+    return norm(xy(b.state.r) - xy(a.state.r)) <
+           contact_distance(radius_of(scene, a), radius_of(scene, b)) - kTouchTolerance;
 }
 
 /// Moves `ball` straight away from `other` until they touch, or as far as the rails let it.
 void move_off(const Scene& scene, SceneBall& ball, const SceneBall& other) {
     const Vec2 apart = xy(ball.state.r) - xy(other.state.r);
     const Vec2 away = apart == Vec2{} ? Vec2{1, 0} : normalized(apart);
-    Vec2 r = xy(other.state.r) + touching_distance(scene, ball, other) * away;
+    const Real distance = contact_distance(radius_of(scene, ball), radius_of(scene, other));
+    Vec2 r = xy(other.state.r) + distance * away;
     if (scene.table.rails) {
         const Vec2 edge = inset(scene.table, radius_of(scene, ball));
         r = {std::clamp(r.x, -edge.x, edge.x), std::clamp(r.y, -edge.y, edge.y)};

@@ -1,5 +1,7 @@
 #include "shared/game/settings.hpp"
 
+#include "shared/physics/check.hpp"
+
 #include <string>
 
 namespace poolhall {

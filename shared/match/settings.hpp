@@ -1,21 +1,31 @@
 #pragma once
 
+#include "shared/enum_names.hpp"
 #include "shared/game/settings.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 namespace poolhall {
 
 /// Who breaks in the game after one.
 enum class BreakOrder : std::uint8_t { kAlternate, kWinner, kLoser };
 
+constexpr auto enum_names(BreakOrder /*type*/) {
+    return names_of<BreakOrder>({{BreakOrder::kAlternate, "alternate"},
+                                 {BreakOrder::kWinner, "winner"},
+                                 {BreakOrder::kLoser, "loser"}});
+}
+
 /// Whose turns they are.
 enum class Turns : std::uint8_t {
     kShared,  ///< as the rules say
     kSolo,    ///< seat 0 takes every one, and a game lost is won by seat 1
 };
+
+constexpr auto enum_names(Turns /*type*/) {
+    return names_of<Turns>({{Turns::kShared, "shared"}, {Turns::kSolo, "solo"}});
+}
 
 /// What is agreed on for all games of a match.
 struct MatchSettings {
@@ -36,10 +46,5 @@ inline constexpr std::uint32_t kMaxShotClock = 3600;  ///< s
 /// The first thing that makes the settings unfit for a match by these rules. The pointer is into
 /// their JSON form, in which the game's settings are not nested: "/effects/rolling/mu", "/race_to".
 [[nodiscard]] std::optional<SceneError> check(const Ruleset& rules, const MatchSettings& settings);
-
-/// "alternate", "winner", "loser".
-[[nodiscard]] std::string_view name(BreakOrder order);
-/// "shared", "solo".
-[[nodiscard]] std::string_view name(Turns turns);
 
 }  // namespace poolhall

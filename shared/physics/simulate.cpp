@@ -37,28 +37,14 @@ std::size_t first_kernel(const Scene& scene, Wanted wanted) {
     return kernel;
 }
 
-void run_solver(SolverKind solver, std::size_t kernel, ShotRun& run) {
-    switch (solver) {
-        case SolverKind::kEuler:
-            return run_euler(kernel, run);
-        case SolverKind::kOverlap:
-            return run_overlap(kernel, run);
-        case SolverKind::kSemiImplicit:
-            return run_semi_implicit(kernel, run);
-        case SolverKind::kExactArc:
-            return run_exact_arc(kernel, run);
-        case SolverKind::kEvent:
-            return run_event(kernel, run);
-    }
-}
-
 }  // namespace
 
 void Simulator::run(std::size_t kernel, const Scene& scene, Real sample_hz, ShotTrace& trace) {
     trace.kernel = kNames[kernel];
     trace.solver = scene.solver.kind;
     ShotRun run(scene, sample_hz, workspace_, trace);
-    run_solver(scene.solver.kind, kernel, run);
+    const auto solver = static_cast<std::size_t>(scene.solver.kind);
+    solver_of(scene.solver.kind).run(kernel, run, memories_[solver]);
 }
 
 void Simulator::simulate(const Scene& scene, Real sample_hz, ShotTrace& trace) {
@@ -74,6 +60,10 @@ bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, Real sa
     if (found == kNames.size()) return false;
     run(found, scene, sample_hz, trace);
     return true;
+}
+
+bool has_ticks(SolverKind kind) {
+    return solver_of(kind).has_ticks;
 }
 
 void simulate(const Scene& scene, Real sample_hz, ShotTrace& trace) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "shared/physics/check.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/physics/scene/trace.hpp"
 #include "shared/physics/solvers/shot_run.hpp"
+#include "shared/physics/solvers/solver.hpp"
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -37,6 +40,7 @@ class Simulator {
     void run(std::size_t kernel, const Scene& scene, Real sample_hz, ShotTrace& trace);
 
     Workspace workspace_;
+    std::array<SolverMemory, kCount<SolverKind>> memories_;
 };
 
 /// The same once, in memory of its own.
@@ -44,6 +48,9 @@ void simulate(const Scene& scene, Real sample_hz, ShotTrace& trace);
 [[nodiscard]] ShotTrace simulate(const Scene& scene, Real sample_hz = 0);
 [[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz,
                                ShotTrace& trace);
+
+/// Whether the solver goes by ticks, SolverSpec::hz a second.
+[[nodiscard]] bool has_ticks(SolverKind kind);
 
 /// The kernels (sets of effects compiled together), cheapest first. simulate() takes the first that
 /// covers the scene; all that do give the same trace but for its `kernel`.

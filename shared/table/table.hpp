@@ -1,10 +1,13 @@
 #pragma once
 
+#include "shared/enum_names.hpp"
+#include "shared/fields.hpp"
 #include "shared/math/vec2.hpp"
+#include "shared/table/bounds.hpp"
 
 #include <cstdint>
 #include <string>
-#include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace poolhall {
@@ -30,13 +33,42 @@ enum class Rail : std::uint8_t {
     kSouthWestJawW,
 };
 
+/// "NW.N" is the end of the N rail at the pocket NW, "N.W" the jaw west of N.
+constexpr auto enum_names(Rail /*type*/) {
+    return names_of<Rail>({{Rail::kNorth, "N"},
+                           {Rail::kEast, "E"},
+                           {Rail::kSouth, "S"},
+                           {Rail::kWest, "W"},
+                           {Rail::kNorthWestJawN, "NW.N"},
+                           {Rail::kNorthWestJawW, "NW.W"},
+                           {Rail::kNorthJawW, "N.W"},
+                           {Rail::kNorthJawE, "N.E"},
+                           {Rail::kNorthEastJawN, "NE.N"},
+                           {Rail::kNorthEastJawE, "NE.E"},
+                           {Rail::kSouthEastJawS, "SE.S"},
+                           {Rail::kSouthEastJawE, "SE.E"},
+                           {Rail::kSouthJawW, "S.W"},
+                           {Rail::kSouthJawE, "S.E"},
+                           {Rail::kSouthWestJawS, "SW.S"},
+                           {Rail::kSouthWestJawW, "SW.W"}});
+}
+
 inline constexpr Rail kFirstJaw = Rail::kNorthWestJawN;
-inline constexpr int kRailCount = 16;
+inline constexpr int kRailCount = kCount<Rail>;
 
 enum class Pocket : std::uint8_t { kNorthWest, kNorth, kNorthEast, kSouthEast, kSouth, kSouthWest };
 
+constexpr auto enum_names(Pocket /*type*/) {
+    return names_of<Pocket>({{Pocket::kNorthWest, "NW"},
+                             {Pocket::kNorth, "N"},
+                             {Pocket::kNorthEast, "NE"},
+                             {Pocket::kSouthEast, "SE"},
+                             {Pocket::kSouth, "S"},
+                             {Pocket::kSouthWest, "SW"}});
+}
+
+inline constexpr int kPocketCount = kCount<Pocket>;
 inline constexpr std::size_t kMaxPocketCircles = 64;
-inline constexpr int kPocketCount = 6;
 
 /// How balls leave the table.
 enum class PocketModel : std::uint8_t {
@@ -46,11 +78,31 @@ enum class PocketModel : std::uint8_t {
     kCircles,  ///< Table::circles, the rails unbroken
 };
 
+/// Circles are written as the list of them.
+constexpr auto enum_names(PocketModel /*type*/) {
+    return names_of<PocketModel>({{PocketModel::kNone, "none"},
+                                  {PocketModel::kEndGame, "end_game"},
+                                  {PocketModel::kPool, "pool"},
+                                  {PocketModel::kCircles, ""}});
+}
+
 /// Captures a ball whose centre comes within `radius` of `centre`.
 struct PocketCircle {
     std::string id;
     Vec2 centre;      ///< m
     Real radius = 0;  ///< m
+
+    static constexpr auto field_list() {
+        return std::tuple{
+            fields::of("id", &PocketCircle::id, kIdBytes),
+            fields::of(
+                "x", [](auto& circle) -> auto& { return circle.centre.x; }, kPlaces)
+                .in("m"),
+            fields::of(
+                "y", [](auto& circle) -> auto& { return circle.centre.y; }, kPlaces)
+                .in("m"),
+            fields::of("radius", &PocketCircle::radius, fields::positive(kMaxLength)).in("m")};
+    }
 
     friend bool operator==(const PocketCircle&, const PocketCircle&) = default;
 };
@@ -62,13 +114,18 @@ struct Table {
     PocketModel pockets = PocketModel::kNone;
     std::vector<PocketCircle> circles = {};  ///< with PocketModel::kCircles
 
+    static constexpr auto field_list() {
+        return std::tuple{
+            fields::of("length", &Table::length, fields::positive(kMaxLength)).in("m"),
+            fields::of("width", &Table::width, fields::positive(kMaxLength)).in("m"),
+            fields::of("rails", &Table::rails).or_default(),
+            fields::of("pockets", &Table::pockets).or_default(),
+            // In a file they stand in the place of the model's name.
+            fields::of("pockets", &Table::circles, {0, kMaxPocketCircles}).or_default()};
+    }
+
     friend bool operator==(const Table&, const Table&) = default;
 };
-
-/// "N", "E", "S", "W"; "NW.N" is the end of the N rail at the pocket NW, "N.W" the jaw west of N.
-[[nodiscard]] std::string_view name(Rail rail);
-/// "NW", "N", "NE", "SE", "S", "SW".
-[[nodiscard]] std::string_view name(Pocket pocket);
 
 /// Where the centre of a ball of the given radius (m) is when it touches the rails: |x| and |y|, m.
 [[nodiscard]] Vec2 inset(const Table& table, Real radius);

@@ -210,7 +210,7 @@ class Everything {
             } else if (ball.motion == Motion::kSliding) {
                 if (rub(ball, rubbed)) ++ended;
             } else if (ball.motion == Motion::kAirborne) {
-                if (kernel_.effect<Airborne>().kick(ball, dt)) {
+                if (kernel_.effect<Airborne>().step_flight(ball, dt)) {
                     cloth_.settle(ball);
                     ++ended;
                 }

@@ -21,6 +21,11 @@ class Bytes {
         return first;
     }
 
+    template <NamedEnum E>
+    E any_of() {
+        return kValues<E>[byte() % kCount<E>];
+    }
+
     bool flag() { return (byte() & 1U) != 0; }
 
     /// From low to high in steps of 1/65535 of the way: nearly equal numbers come often.
@@ -53,10 +58,10 @@ void choose_cloth(Bytes& bytes, Effects& effects) {
 }
 
 void choose_impacts(Bytes& bytes, Effects& effects) {
-    effects.ball_ball.model = static_cast<BallBallModel>(bytes.byte() % 3);
+    effects.ball_ball.model = bytes.any_of<BallBallModel>();
     effects.ball_ball.e = bytes.between(0, 1);
     effects.ball_ball.mu = bytes.between(0, 0.2);
-    effects.rail.model = static_cast<RailModel>(bytes.byte() % 5);
+    effects.rail.model = bytes.any_of<RailModel>();
     effects.rail.e = bytes.between(0, 1);
 }
 
@@ -82,9 +87,9 @@ SceneBall choose_ball(Bytes& bytes, const Scene& scene) {
 
 Scene choose_scene(Bytes& bytes) {
     Scene scene;
-    scene.solver.kind = static_cast<SolverKind>(bytes.byte() % 5);
+    scene.solver.kind = bytes.any_of<SolverKind>();
     scene.table.rails = bytes.byte() % 8 != 0;
-    scene.table.pockets = static_cast<PocketModel>(bytes.byte() % 4);
+    scene.table.pockets = bytes.any_of<PocketModel>();
     if (scene.table.pockets == PocketModel::kCircles)
         scene.table.circles = {{"NE", {1.27, 0.635}, bytes.between(0.03, 0.2)}};
     choose_cloth(bytes, scene.effects);

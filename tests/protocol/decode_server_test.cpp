@@ -69,7 +69,7 @@ TEST(DecodeServer, SkipsUnknownFieldsEverywhere) {
     tree["later"] = {1, 2, 3};
     tree["table"]["later"] = nullptr;
     tree["table"]["seats"][0]["later"] = "x";
-    tree["table"]["scene"]["effects"]["later"] = {{"mu", 0.2}};
+    tree["table"]["state"]["scene"]["effects"]["later"] = {{"mu", 0.2}};
     const auto result = decode_server(tree.dump(), Encoding::kJson);
     ASSERT_TRUE(result.ok()) << result.error().reason;
     EXPECT_EQ(*result, *expected);
@@ -77,15 +77,16 @@ TEST(DecodeServer, SkipsUnknownFieldsEverywhere) {
 
 TEST(DecodeServer, RefusesUnknownAndClientMessages) {
     expect_refused({{"type", "later"}}, RejectCode::kUnknownType,
-                   "field /type is no message that is known here");
+                   "field /type is none that is known here");
     expect_refused({{"type", "ping"}, {"seq", 1}}, RejectCode::kUnknownType,
-                   "field /type is no message that is known here");
+                   "field /type is none that is known here");
 }
 
-TEST(DecodeServer, ChecksTheScene) {
+TEST(DecodeServer, RefusesScenesThatCannotBe) {
     Json tree = sample<TableChanged>();
-    tree["table"]["scene"]["solver"]["hz"] = 1e300;
-    expect_bad(tree, "field /table/scene/solver/hz must be a finite number within its bounds");
+    tree["table"]["state"]["scene"]["solver"]["hz"] = 1e300;
+    expect_bad(tree,
+               "field /table/state/scene/solver/hz must be a finite number within its bounds");
     tree = sample<ShotStarted>();
     tree["scene"]["balls"][0]["r"] = {100, 0, 0};
     expect_bad(tree, "field /scene/balls/0/r is off the table");
@@ -94,10 +95,10 @@ TEST(DecodeServer, ChecksTheScene) {
     expect_refused(tree, RejectCode::kMissingField, "field /scene/strike is missing");
 }
 
-TEST(DecodeServer, ChecksThatATableAgreesWithItself) {
+TEST(DecodeServer, RefusesATableThatDoesNotAgreeWithItself) {
     Json tree = sample<TableChanged>();
-    tree["table"]["cue_ball"] = tree["table"]["scene"]["balls"].size();
-    expect_bad(tree, "field /table/cue_ball must be the index of a ball of the scene");
+    tree["table"]["state"]["cue_ball"] = tree["table"]["state"]["scene"]["balls"].size();
+    expect_bad(tree, "field /table/state/cue_ball must be the index of a ball of the scene");
     tree = sample<TableChanged>();
     tree["table"]["live"] = {{"shot", 1}, {"tick", 1}, {"balls", Json::array()}};
     expect_bad(tree, "field /table/live/balls must have one position for each ball of the scene");
@@ -109,7 +110,69 @@ TEST(DecodeServer, ChecksThatATableAgreesWithItself) {
     expect_bad(tree, "field /table/phase must be one of waiting, aiming, playing, over");
 }
 
-TEST(DecodeServer, ChecksHashes) {
+TEST(DecodeServer, RefusesAStateThatIsNoneBetweenTwoMoves) {
+    const auto expect_bad_state = [](const std::function<void(Json&)>& spoil,
+                                     const std::string& reason) {
+        Json tree = sample<TableChanged>();
+        spoil(tree["table"]["state"]);
+        expect_bad(tree, "field /table/state" + reason);
+    };
+    expect_bad_state(
+        [](Json& state) {
+            state["scene"]["strike"] = {{"ball", "cue"}, {"direction", {1, 0}}, {"speed", 1}};
+        },
+        "/scene/strike must not be there at rest");
+    expect_bad_state(
+        [](Json& state) {
+            state["over"] = false;
+            state["winner"] = 1;
+        },
+        "/winner must not be there before the game is over");
+    expect_bad_state([](Json& state) { state["turn"] = 2; }, "/turn must be from 0 to 1");
+    expect_bad_state([](Json& state) { state["part"]["in_hand"] = 1; },
+                     "/part/in_hand must be true or false");
+    Json tree = sample<TableChanged>();
+    tree["table"]["state"]["part"]["type"] = "marbles";
+    expect_refused(tree, RejectCode::kUnknownType,
+                   "field /table/state/part/type is none that is known here");
+}
+
+/// What an End Game allows before its first shot, as a tree to spoil.
+Json legal() {
+    return {{"seat", 0},
+            {"place", {{"low", {-0.4, -0.3}}, {"high", {-0.4, 0.3}}}},
+            {"shoot",
+             {{"min_speed", 1},
+              {"max_speed", 3},
+              {"own_speed", 2},
+              {"max_offset", 0},
+              {"max_elevation", 0}}},
+            {"aim", {1, 0}}};
+}
+
+TEST(DecodeServer, RefusesBoundsBetweenWhichNothingLies) {
+    const auto table_with = [](const Json& allowed) {
+        Json tree = sample<TableChanged>();
+        tree["table"]["legal"] = allowed;
+        return tree;
+    };
+    ASSERT_TRUE(decode_server(table_with(legal()).dump(), Encoding::kJson).ok());
+    const auto expect_bad_legal = [&](const char* pointer, const Json& value,
+                                      const std::string& reason) {
+        Json allowed = legal();
+        allowed[Json::json_pointer(pointer)] = value;
+        expect_bad(table_with(allowed), "field /table/legal" + reason);
+    };
+    expect_bad_legal("/place/high", {-0.4, -0.31}, "/place/high must not be below low");
+    expect_bad_legal("/place/low", {-0.3, 0}, "/place/high must not be below low");
+    expect_bad_legal("/shoot/max_speed", 0.5, "/shoot/max_speed must not be below min_speed");
+    expect_bad_legal("/shoot/own_speed", 3.5,
+                     "/shoot/own_speed must be from min_speed to max_speed");
+    expect_bad_legal("/shoot/max_offset", 1.5, "/shoot/max_offset must be from 0.0 to 1.0");
+    expect_bad_legal("/aim", {0, 0}, "/aim must not be zero");
+}
+
+TEST(DecodeServer, RefusesHashesThatAreNotSixteenHexDigits) {
     for (const char* hash : {"", "0123456789abcde", "0123456789abcdefa", "0123456789ABCDEF",
                              "0x23456789abcdef", "0123456789abcde "}) {
         Json tree = sample<ShotStarted>();
@@ -121,7 +184,7 @@ TEST(DecodeServer, ChecksHashes) {
     expect_bad(tree, "field /scene_hash must be a string");
 }
 
-TEST(DecodeServer, ChecksEvents) {
+TEST(DecodeServer, RefusesEventsThatLackWhatTheirKindHasOrHaveMore) {
     ASSERT_TRUE(decode_server(frame_with(rail_event()).dump(), Encoding::kJson).ok());
     const auto expect_bad_event = [](const std::function<void(Json&)>& spoil,
                                      const std::string& reason) {
@@ -157,7 +220,7 @@ TEST(DecodeServer, ChecksEvents) {
         "/after/0/v must have 3 elements");
 }
 
-TEST(DecodeServer, ChecksFrames) {
+TEST(DecodeServer, RefusesFramesOfBallsThatCannotBe) {
     Json tree{{"type", "frame"},
               {"shot", 1},
               {"tick", 1},
@@ -170,7 +233,7 @@ TEST(DecodeServer, ChecksFrames) {
     expect_bad(tree, "field /balls/0 must have 3 elements");
 }
 
-TEST(DecodeServer, ChecksFinalBalls) {
+TEST(DecodeServer, RefusesAPocketedBallWithoutItsPocket) {
     Json tree = sample<ShotEnded>();
     const Json state{{"r", {0, 0, 0}}, {"v", {1, 0, 0}}, {"w", {0, 0, 0}}};
     Json ball{{"motion", "pocketed"}};

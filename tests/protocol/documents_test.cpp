@@ -1,13 +1,13 @@
 #include "protocol/codec/codec.hpp"
 #include "protocol/limits.hpp"
-#include "protocol/wire/enums.hpp"
+#include "protocol/messages.hpp"
+#include "tests/protocol/types.hpp"
 
 #include <fstream>
 #include <gtest/gtest.h>
 #include <set>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -39,24 +39,26 @@ std::vector<std::string> examples(const std::string& who) {
     return blocks;
 }
 
-template <class... Bodies>
-std::set<std::string> types_of(std::type_identity<std::variant<Bodies...>> /*list*/) {
-    return {std::string(Bodies::kType)...};
+template <class Variant>
+std::set<std::string> all_types() {
+    const auto types = testing::types_of<Variant>();
+    return {types.begin(), types.end()};
 }
 
-template <class... Bodies>
-std::string type_of(const std::variant<Bodies...>& body) {
-    return std::visit([](const auto& alternative) { return std::string(alternative.kType); }, body);
-}
-
-TEST(ProtocolPage, HasAGoodExampleOfEachClientMessage) {
+TEST(ProtocolPage, HasAGoodExampleOfEachClientMessageAndMove) {
     std::set<std::string> seen;
+    std::set<std::string> moves;
     for (const std::string& example : examples("client")) {
         const auto message = decode_client(example, Encoding::kJson);
         ASSERT_TRUE(message.ok()) << message.error().reason << "\n" << example;
-        seen.insert(type_of(message->body));
+        seen.emplace(wire::type_of(message->body));
+        if (const auto* command = std::get_if<TurnCommand>(&message->body))
+            moves.emplace(wire::type_of(std::get<MakeMove>(*command).move));
     }
-    EXPECT_EQ(seen, types_of(std::type_identity<ClientBody>{}));
+    EXPECT_EQ(seen, all_types<ClientBody>());
+    std::set<std::string> of_players = all_types<Move>();
+    of_players.erase("time_out");
+    EXPECT_EQ(moves, of_players) << "all that a client may send";
 }
 
 TEST(ProtocolPage, HasAGoodExampleOfEachServerMessage) {
@@ -64,16 +66,15 @@ TEST(ProtocolPage, HasAGoodExampleOfEachServerMessage) {
     for (const std::string& example : examples("server")) {
         const auto message = decode_server(example, Encoding::kJson);
         ASSERT_TRUE(message.ok()) << message.error().reason << "\n" << example;
-        seen.insert(type_of(*message));
+        seen.emplace(wire::type_of(*message));
     }
-    EXPECT_EQ(seen, types_of(std::type_identity<ServerMessage>{}));
+    EXPECT_EQ(seen, all_types<ServerMessage>());
 }
 
 template <class E>
 void expect_names(const std::string& text) {
-    for (unsigned i = 0; i <= static_cast<unsigned>(wire::kLast<E>); ++i) {
-        using wire::name;
-        const std::string quoted = "`" + std::string(name(static_cast<E>(i))) + "`";
+    for (const E value : kValues<E>) {
+        const std::string quoted = "`" + std::string(poolhall::name(value)) + "`";
         EXPECT_NE(text.find(quoted), std::string::npos) << quoted;
     }
 }
@@ -84,6 +85,9 @@ TEST(ProtocolPage, NamesEveryEnumerator) {
     expect_names<Phase>(text);
     expect_names<Stream>(text);
     expect_names<Verdict>(text);
+    expect_names<Accord>(text);
+    expect_names<BreakOrder>(text);
+    expect_names<Turns>(text);
     expect_names<EventKind>(text);
     expect_names<Outcome>(text);
     expect_names<Motion>(text);
@@ -97,7 +101,8 @@ TEST(ProtocolPage, StatesTheLimits) {
          {std::to_string(kMaxClientMessageBytes) + " bytes", std::string(kCodeAlphabet),
           std::to_string(kMaxNameBytes) + " bytes", std::to_string(kTokenHexDigits) + " ",
           std::to_string(kMaxServerMessageBytes) + " bytes", std::string(kSubprotocolJson),
-          std::string(kSubprotocolCbor)}) {
+          std::string(kSubprotocolCbor), "at most " + std::to_string(kMaxRace),
+          "from " + std::to_string(kMinShotClock) + " to " + std::to_string(kMaxShotClock)}) {
         EXPECT_NE(text.find(limit), std::string::npos) << limit;
     }
 }

@@ -1,7 +1,11 @@
 // Shows what the code says of the protocol, for tests in other languages.
 //
 //   protocol_samples catalog
-//       {"client": {TYPE: {FIELD: required}}, "server": ..., "parts": ...}
+//       {"client": {TYPE: {FIELD: required}}, "server": ..., "moves": ..., "games": ..., "parts":
+//        ..., "listed": {PART: {FIELD: {"unit", "default", "minimum", "maximum", ...}}}}
+//   protocol_samples leaves
+//       JSON Lines {"pointer": "/strike/speed", "scene": {...}}, one for each number, name and
+//       choice of a scene
 //   protocol_samples messages COUNT
 //       JSON Lines {"from": "client" | "server", "message": {...}}
 //   protocol_samples results COUNT
@@ -13,16 +17,19 @@
 #include "protocol/wire/message_fields.hpp"
 #include "shared/physics/simulate.hpp"
 #include "tests/protocol/random_messages.hpp"
+#include "tests/protocol/types.hpp"
+#include "tests/shared/scene_leaves.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace poolhall::protocol {
@@ -31,17 +38,11 @@ namespace {
 using wire::Json;
 
 template <class T>
-struct IsOptionalMember : std::false_type {};
-
-template <class Owner, class T>
-struct IsOptionalMember<std::optional<T> Owner::*> : std::true_type {};
-
-template <class T>
 void add_fields(Json& fields) {
     const auto add = [&](const auto& spec) {
-        using Access = std::remove_cvref_t<decltype(spec.access)>;
+        using Member = std::remove_cvref_t<decltype(std::invoke(spec.access, std::declval<T&>()))>;
         fields[spec.name] =
-            spec.presence == wire::Presence::kRequired && !IsOptionalMember<Access>::value;
+            spec.presence == wire::Presence::kRequired && !wire::kIsOptional<Member>;
     };
     std::apply([&](const auto&... specs) { (add(specs), ...); }, wire::kFields<T>);
 }
@@ -53,10 +54,13 @@ Json fields_of(const Json& others = Json::object()) {
     return fields;
 }
 
-template <class... Bodies>
-Json types_of(std::type_identity<std::variant<Bodies...>> /*list*/, const Json& others) {
+/// The fields of each alternative, by its type.
+template <class Variant>
+Json fields_by_type(const Json& others) {
     Json types = Json::object();
-    ((types[Bodies::kType] = fields_of<Bodies>(others)), ...);
+    testing::for_each_alternative(
+        std::type_identity<Variant>{},
+        [&]<class T>(std::type_identity<T>) { types[T::kType] = fields_of<T>(others); });
     return types;
 }
 
@@ -64,13 +68,19 @@ Json types_of(std::type_identity<std::variant<Bodies...>> /*list*/, const Json& 
 Json parts() {
     Json scene = fields_of<Scene>({{"schema", true}});
     scene["strike"] = false;
-    return {{"client-message.json", {{"settings", fields_of<GameSettings>()}}},
+    return {{"game.json",
+             {{"settings", fields_of<MatchSettings>()},
+              {"stroke", fields_of<Stroke>()},
+              {"state", fields_of<GameState>()},
+              {"legal", fields_of<Legal>()},
+              {"region", fields_of<Region>()},
+              {"stroke_bounds", fields_of<StrokeBounds>()},
+              {"ruling", fields_of<Ruling>()}}},
             {"server-message.json",
              {{"table_state", fields_of<TableState>()},
               {"seat_info", fields_of<SeatInfo>()},
               {"live_shot", fields_of<LiveShot>()},
-              {"ruling", fields_of<Ruling>()},
-              {"state", fields_of<BallState>()},
+              {"ball_state", fields_of<BallState>()},
               {"event", fields_of<wire::EventForm>()},
               {"final_ball", fields_of<wire::FinalBallForm>()}}},
             {"scene.json",
@@ -93,11 +103,72 @@ Json parts() {
               {"strike", fields_of<wire::StrikeForm>()}}}};
 }
 
+/// Of numbers: what the list of fields says of them, in the words of a schema.
+void describe(Json& description, const fields::Bounds& bounds) {
+    if (bounds.any) return;
+    description[bounds.above_low ? "exclusiveMinimum" : "minimum"] = bounds.low;
+    description["maximum"] = bounds.high;
+}
+
+template <HasFieldList T>
+Json listed_fields_of() {
+    Json fields = Json::object();
+    T object{};
+    for_each_field(object, [&](const auto& field, const auto& member) {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        constexpr bool kNumber = std::is_same_v<Member, double>;
+        if constexpr (kNumber || std::is_same_v<Member, std::optional<double>>) {
+            Json& description = fields[field.name] = {{"unit", field.unit}};
+            describe(description, field.bounds);
+            if constexpr (kNumber) {
+                if (field.may_be_left_out) description["default"] = member;
+            }
+        }
+    });
+    return fields;
+}
+
+/// The parameters of all effects, each under the effect's name.
+Json listed_effects() {
+    Json parts = Json::object();
+    const Effects effects;
+    for_each_field(effects, [&]<class Effect>(const auto& field, const Effect& effect) {
+        if constexpr (requires { *effect; }) {
+            parts[field.name] = listed_fields_of<typename Effect::value_type>();
+        } else {
+            parts[field.name] = listed_fields_of<Effect>();
+        }
+    });
+    return parts;
+}
+
+Json listed() {
+    Json parts = listed_effects();
+    parts[""] = listed_fields_of<Scene>();
+    parts["table"] = listed_fields_of<Table>();
+    parts["ball_spec"] = listed_fields_of<BallSpec>();
+    parts["pocket_circle"] = listed_fields_of<PocketCircle>();
+    parts["friction_by_speed"] = listed_fields_of<FrictionBySpeed>();
+    parts["solver"] = listed_fields_of<SolverSpec>();
+    parts["ball"] = listed_fields_of<SceneBall>();
+    parts["limits"] = listed_fields_of<Limits>();
+    parts["strike"] = listed_fields_of<Strike>();
+    return parts;
+}
+
+void print_leaves() {
+    poolhall::testing::for_each_changed_leaf([](const std::string& pointer, const Scene& scene) {
+        std::cout << Json{{"pointer", pointer}, {"scene", to_json(scene)}}.dump() << "\n";
+    });
+}
+
 void print_catalog() {
-    const Json catalog{
-        {"client", types_of(std::type_identity<ClientBody>{}, {{"type", true}, {"seq", true}})},
-        {"server", types_of(std::type_identity<ServerMessage>{}, {{"type", true}})},
-        {"parts", parts()}};
+    const Json catalog{{"client", fields_by_type<ClientBody>({{"type", true}, {"seq", true}})},
+                       {"server", fields_by_type<ServerMessage>({{"type", true}})},
+                       {"moves", fields_by_type<Move>({{"type", true}})},
+                       {"games", fields_by_type<GamePart>({{"type", true}})},
+                       {"parts", parts()},
+                       {"listed", listed()}};
     std::cout << catalog.dump() << "\n";
 }
 
@@ -164,6 +235,8 @@ int main(int argc, char** argv) {
     const std::string_view mode = argc > 1 ? argv[1] : "";
     if (mode == "catalog" && argc == 2) {
         poolhall::protocol::print_catalog();
+    } else if (mode == "leaves" && argc == 2) {
+        poolhall::protocol::print_leaves();
     } else if (mode == "messages" && argc == 3) {
         poolhall::protocol::print_messages(std::atoi(argv[2]));
     } else if (mode == "results" && argc == 3) {
@@ -171,8 +244,8 @@ int main(int argc, char** argv) {
     } else if (mode == "seeds" && argc == 3) {
         poolhall::protocol::write_seeds(argv[2]);
     } else {
-        std::cerr
-            << "usage: protocol_samples catalog | messages COUNT | results COUNT | seeds FOLDER\n";
+        std::cerr << "usage: protocol_samples catalog | leaves | messages COUNT | results COUNT | "
+                     "seeds FOLDER\n";
         return 2;
     }
     return 0;

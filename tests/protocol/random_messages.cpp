@@ -1,7 +1,8 @@
 #include "tests/protocol/random_messages.hpp"
 
 #include "protocol/limits.hpp"
-#include "protocol/wire/enums.hpp"
+#include "protocol/messages.hpp"
+#include "shared/physics/check.hpp"
 
 #include <array>
 #include <string>
@@ -12,7 +13,10 @@ namespace {
 
 template <class E>
 E any_of(Random& random) {
-    return static_cast<E>(random.below(static_cast<std::size_t>(wire::kLast<E>) + 1));
+    for (;;) {
+        const E value = kValues<E>[random.below(kCount<E>)];
+        if (!poolhall::name(value).empty()) return value;
+    }
 }
 
 std::uint32_t number(Random& random) {
@@ -77,23 +81,109 @@ SeatInfo seat_info(Random& random) {
     return {true, random.coin(), person(random), random.coin(), number(random)};
 }
 
+double positive(Random& random, double limit) {
+    return limit / 2 + random.real(limit / 2);
+}
+
+Table table_of_scene(Random& random) {
+    Table table{4 + random.real(1), 3 + random.real(1), true, any_of<PocketModel>(random)};
+    if (random.coin()) return table;
+    table.pockets = PocketModel::kCircles;
+    for (std::size_t i = random.below(4); i > 0; --i)
+        table.circles.push_back(
+            {person(random) + std::to_string(i), vec2(random, 2), positive(random, 0.1)});
+    return table;
+}
+
+BallBallSpec ball_ball(Random& random) {
+    BallBallSpec spec{any_of<BallBallModel>(random),
+                      positive(random, 1),
+                      positive(random, 0.1),
+                      {},
+                      positive(random, 1e-3)};
+    if (random.coin())
+        spec.friction_by_speed =
+            FrictionBySpeed{positive(random, 0.1), positive(random, 0.1), positive(random, 2)};
+    return spec;
+}
+
+Effects effects(Random& random) {
+    Effects result;
+    if (random.coin())
+        result.linear_drag = LinearDragSpec{positive(random, 1), positive(random, 0.2)};
+    if (random.coin()) result.sliding = SlidingSpec{positive(random, 0.5)};
+    if (random.coin()) result.rolling = RollingSpec{positive(random, 0.05)};
+    if (random.coin()) result.spin_decay = SpinDecaySpec{positive(random, 0.05)};
+    result.ball_ball = ball_ball(random);
+    result.rail = {any_of<RailModel>(random), positive(random, 1), positive(random, 0.5),
+                   0.02 + positive(random, 0.02)};
+    if (random.coin()) result.airborne = AirborneSpec{positive(random, 1)};
+    return result;
+}
+
+/// What a client may write; not all of it is fit for a game.
+std::optional<MatchSettings> settings(Random& random) {
+    if (random.coin()) return std::nullopt;
+    MatchSettings result;
+    if (random.coin()) result.game.effects = effects(random);
+    if (random.coin())
+        result.game.solver = SolverSpec{any_of<SolverKind>(random), positive(random, 1000)};
+    result.race_to = number(random);
+    result.breaks = any_of<BreakOrder>(random);
+    if (random.coin()) result.shot_clock_s = number(random);
+    result.turns = any_of<Turns>(random);
+    return result;
+}
+
+GameState game_state(Random& random) {
+    GameState result;
+    result.scene = random_scene(random, false);
+    const std::size_t balls = result.scene.balls.size();
+    result.cue_ball = BallIndex{static_cast<std::uint16_t>(random.below(balls))};
+    result.turn = seat(random);
+    result.shots = number(random);
+    result.over = random.coin();
+    if (result.over && random.coin()) result.winner = seat(random);
+    result.part = EndGamePart{random.coin()};
+    return result;
+}
+
+Legal legal(Random& random) {
+    Legal result;
+    result.seat = seat(random);
+    result.aim = direction(random);
+    if (random.coin()) {
+        const Vec2 low = vec2(random, 2);
+        result.place = Region{low, low + Vec2{positive(random, 1), positive(random, 1)}};
+    }
+    if (random.coin()) {
+        const double least = positive(random, 5);
+        const double own = least + positive(random, 5);
+        result.shoot = StrokeBounds{least, own + positive(random, 5), own, positive(random, 1),
+                                    positive(random, 10)};
+    }
+    return result;
+}
+
 TableState table(Random& random) {
     TableState result;
     result.match = "m" + std::to_string(random.word());
     result.code = code(random);
     result.game = "end_game";
+    result.settings = settings(random);
     result.phase = any_of<Phase>(random);
     result.game_number = number(random);
     result.shot = number(random);
-    result.turn = seat(random);
-    result.may_place = random.coin();
     result.seats = {seat_info(random), seat_info(random)};
     result.spectators = number(random);
+    result.state = game_state(random);
+    result.legal = legal(random);
     result.aim = direction(random);
-    result.scene = random_scene(random, false);
-    const std::size_t balls = result.scene.balls.size();
-    result.cue_ball = BallIndex{static_cast<std::uint16_t>(random.below(balls))};
+    if (random.coin()) result.cue = vec2(random, 2);
     if (random.coin()) result.ruling = ruling(random);
+    if (random.coin()) result.winner = seat(random);
+    if (random.coin()) result.clock_left_ms = number(random);
+    const std::size_t balls = result.state.scene.balls.size();
     if (result.phase == Phase::kPlaying) {
         result.live = LiveShot{result.shot, number(random), std::vector<Vec2>(balls)};
         for (Vec2& r : result.live->balls)
@@ -175,56 +265,6 @@ ShotEnded shot_ended(Random& random) {
     return result;
 }
 
-double positive(Random& random, double limit) {
-    return limit / 2 + random.real(limit / 2);
-}
-
-Table table_of_scene(Random& random) {
-    Table table{4 + random.real(1), 3 + random.real(1), true, any_of<PocketModel>(random)};
-    if (random.coin()) return table;
-    table.pockets = PocketModel::kCircles;
-    for (std::size_t i = random.below(4); i > 0; --i)
-        table.circles.push_back(
-            {person(random) + std::to_string(i), vec2(random, 2), positive(random, 0.1)});
-    return table;
-}
-
-BallBallSpec ball_ball(Random& random) {
-    BallBallSpec spec{any_of<BallBallModel>(random),
-                      positive(random, 1),
-                      positive(random, 0.1),
-                      {},
-                      positive(random, 1e-3)};
-    if (random.coin())
-        spec.friction_by_speed =
-            FrictionBySpeed{positive(random, 0.1), positive(random, 0.1), positive(random, 2)};
-    return spec;
-}
-
-Effects effects(Random& random) {
-    Effects result;
-    if (random.coin())
-        result.linear_drag = LinearDragSpec{positive(random, 1), positive(random, 0.2)};
-    if (random.coin()) result.sliding = SlidingSpec{positive(random, 0.5)};
-    if (random.coin()) result.rolling = RollingSpec{positive(random, 0.05)};
-    if (random.coin()) result.spin_decay = SpinDecaySpec{positive(random, 0.05)};
-    result.ball_ball = ball_ball(random);
-    result.rail = {any_of<RailModel>(random), positive(random, 1), positive(random, 0.5),
-                   0.02 + positive(random, 0.02)};
-    if (random.coin()) result.airborne = AirborneSpec{positive(random, 1)};
-    return result;
-}
-
-/// What a client may write; not all of it is fit for a game.
-std::optional<GameSettings> settings(Random& random) {
-    if (random.coin()) return std::nullopt;
-    GameSettings result;
-    if (random.coin()) result.effects = effects(random);
-    if (random.coin())
-        result.solver = SolverSpec{any_of<SolverKind>(random), positive(random, 1000)};
-    return result;
-}
-
 /// Any solver that can do what the scene asks for.
 SolverKind fitting_solver(Random& random, Scene scene) {
     for (;;) {
@@ -283,22 +323,35 @@ Scene random_scene(Random& random, bool with_strike) {
     return scene;
 }
 
+std::vector<Move> random_moves(Random& random) {
+    Stroke stroke;
+    stroke.direction = direction(random);
+    if (random.coin()) {
+        stroke.speed = positive(random, 20);
+        stroke.offset = vec2(random, 1);
+        stroke.elevation = positive(random, 10);
+    }
+    return {Shoot{stroke}, Place{vec2(random, kMaxPositionComponent)}, Concede{},
+            Agree{any_of<Accord>(random)}, TimeOut{}};
+}
+
 std::vector<ClientMessage> random_client_messages(Random& random) {
     const auto stream = [&] { return any_of<Stream>(random); };
-    const std::vector<ClientBody> bodies{
-        CreateMatch{person(random), "end_game", stream(), settings(random)},
-        JoinMatch{code(random), person(random), stream()},
-        WatchMatch{code(random), random.coin() ? "" : person(random), stream()},
-        Resume{code(random), token(random), stream()},
-        TakeSeat{seat(random)},
-        LeaveSeat{seat(random)},
-        Aim{seat(random), direction(random)},
-        PlaceCueBall{seat(random), vec2(random, kMaxPositionComponent)},
-        Shoot{seat(random), direction(random)},
-        Rematch{seat(random)},
-        Leave{},
-        Ping{},
+    std::vector<ClientBody> bodies{
+        EntryCommand{CreateMatch{person(random), "end_game", stream(), settings(random)}},
+        EntryCommand{JoinMatch{code(random), person(random), stream()}},
+        EntryCommand{WatchMatch{code(random), random.coin() ? "" : person(random), stream()}},
+        EntryCommand{Resume{code(random), token(random), stream()}},
+        SeatCommand{TakeSeat{seat(random)}},
+        SeatCommand{LeaveSeat{seat(random)}},
+        SeatCommand{Leave{}},
     };
+    for (const Move& move : random_moves(random))
+        bodies.emplace_back(TurnCommand{MakeMove{seat(random), move}});
+    Aim aim{seat(random), direction(random)};
+    if (random.coin()) aim.cue = vec2(random, kMaxPositionComponent);
+    bodies.emplace_back(TableTalk{aim});
+    bodies.emplace_back(Ping{});
     std::vector<ClientMessage> messages;
     for (const ClientBody& body : bodies)
         messages.push_back({number(random) | 1U, body});

@@ -30,8 +30,12 @@ class Random {
 /// A scene that check() accepts, with 1 to 6 balls.
 [[nodiscard]] Scene random_scene(Random& random, bool with_strike);
 
-/// One message of each kind.
+/// A move of each kind, with every field or with those that may be left out left out.
+[[nodiscard]] std::vector<Move> random_moves(Random& random);
+
+/// One message of each kind, and of `move` one with each kind of move.
 [[nodiscard]] std::vector<ClientMessage> random_client_messages(Random& random);
+/// One message of each kind.
 [[nodiscard]] std::vector<ServerMessage> random_server_messages(Random& random);
 
 }  // namespace poolhall::protocol::testing

@@ -52,14 +52,14 @@ TEST(SceneJson, ReadsEveryField) {
     Scene expected;
     expected.id = "whole";
     expected.table = {2.54, 1.27, true, PocketModel::kEndGame};
-    expected.effects = {
-        .linear_drag = LinearDragSpec{0.6, 0.0625},
-        .sliding = SlidingSpec{0.3},
-        .rolling = RollingSpec{0.02},
-        .spin_decay = SpinDecaySpec{0.04},
-        .ball_ball = {BallBallModel::kFriction, 0.9, 0.07, FrictionBySpeed{0.01, 0.1, 1}, 0.001},
-        .rail = {RailModel::kHan2005, 0.85, 0.25, 0.035},
-        .airborne = AirborneSpec{0.6}};
+    expected.effects.linear_drag = LinearDragSpec{0.6, 0.0625};
+    expected.effects.sliding = SlidingSpec{0.3};
+    expected.effects.rolling = RollingSpec{0.02};
+    expected.effects.spin_decay = SpinDecaySpec{0.04};
+    expected.effects.ball_ball = {BallBallModel::kFriction, 0.9, 0.07,
+                                  FrictionBySpeed{0.01, 0.1, 1}, 0.001};
+    expected.effects.rail = {RailModel::kHan2005, 0.85, 0.25, 0.035};
+    expected.effects.airborne = AirborneSpec{0.6};
     expected.solver = {SolverKind::kEuler, 60};
     expected.balls = {{"cue", {{-0.5, 0, 0}, {}, {}}},
                       {"8", {{0.5, 0.25, 0.1}, {0.1, 0, 0}, {0, 0, 1}}, 0.03, 0.2}};

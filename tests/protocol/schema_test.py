@@ -36,13 +36,28 @@ def validator(name):
     return jsonschema.Draft202012Validator(root, resolver=resolver)
 
 
+def knows(root, part, steps):
+    """Whether a value at the pointer's steps is one that the schema's part describes."""
+    if "$ref" in part:
+        return knows(root, root["$defs"][part["$ref"].rsplit("/", 1)[1]], steps)
+    if not steps:
+        return True
+    if any(knows(root, choice, steps) for choice in part.get("anyOf", [])):
+        return True
+    below = part.get("items") if steps[0].isdigit() else part.get("properties", {}).get(steps[0])
+    return below is not None and knows(root, below, steps[1:])
+
+
+KEYS = ("default", "minimum", "exclusiveMinimum", "maximum")
 CATALOG = samples("catalog")[0]
 MESSAGES = samples("messages", str(ROUNDS))
+# One of each kind, and of `move` one with each kind of move.
+CLIENT_MESSAGES = len(CATALOG["client"]) - 1 + len(CATALOG["moves"])
 
 
 class Schemas(unittest.TestCase):
     def test_are_schemas(self):
-        for name in ("client-message.json", "server-message.json", "scene.json", "result.json"):
+        for name in ("client-message.json", "server-message.json", "game.json", "scene.json", "result.json"):
             jsonschema.Draft202012Validator.check_schema(schema(name))
 
     def test_list_the_messages_of_the_code(self):
@@ -50,11 +65,17 @@ class Schemas(unittest.TestCase):
             listed = [entry["$ref"].rsplit("/", 1)[1] for entry in schema(f"{side}-message.json")["oneOf"]]
             self.assertEqual(listed, list(CATALOG[side]))
 
+    def test_list_the_moves_and_the_games_of_the_code(self):
+        defs = schema("game.json")["$defs"]
+        for kind, listed in (("moves", defs["move"]["oneOf"]), ("games", defs["state"]["properties"]["part"]["oneOf"])):
+            self.assertEqual([entry["$ref"].rsplit("/", 1)[1] for entry in listed], list(CATALOG[kind]))
+
     def test_list_the_fields_of_the_code(self):
         objects = dict(CATALOG["parts"])
         for side in ("client", "server"):
             file = f"{side}-message.json"
             objects[file] = {**objects.get(file, {}), **CATALOG[side]}
+        objects["game.json"] = {**objects["game.json"], **CATALOG["moves"], **CATALOG["games"]}
         for file, parts in objects.items():
             root = schema(file)
             for part, fields in parts.items():
@@ -64,9 +85,28 @@ class Schemas(unittest.TestCase):
                     required = {field for field, is_required in fields.items() if is_required}
                     self.assertEqual(set(described["required"]), required)
 
+    def test_have_the_bounds_defaults_and_units_of_the_code(self):
+        root = schema("scene.json")
+        for part, fields in CATALOG["listed"].items():
+            described = root["$defs"][part] if part else root
+            for field, listed in fields.items():
+                with self.subTest(part=part, field=field):
+                    found = described["properties"][field]
+                    bounds = {key: found[key] for key in KEYS if key in found}
+                    self.assertEqual(bounds, {key: listed[key] for key in KEYS if key in listed})
+                    self.assertIn(listed["unit"], found.get("description", ""))
+
+    def test_know_every_field_of_a_scene(self):
+        root, check = schema("scene.json"), validator("scene.json")
+        leaves = samples("leaves")
+        self.assertGreater(len(leaves), 60)
+        for leaf in leaves:
+            check.validate(leaf["scene"])
+            self.assertTrue(knows(root, root, leaf["pointer"].split("/")[1:]), leaf["pointer"])
+
     def test_accept_what_the_code_sends(self):
         validators = {side: validator(f"{side}-message.json") for side in ("client", "server")}
-        self.assertEqual(len(MESSAGES), ROUNDS * (len(CATALOG["client"]) + len(CATALOG["server"])))
+        self.assertEqual(len(MESSAGES), ROUNDS * (CLIENT_MESSAGES + len(CATALOG["server"])))
         for sample in MESSAGES:
             validators[sample["from"]].validate(sample["message"])
 
@@ -82,7 +122,7 @@ class Schemas(unittest.TestCase):
 
     def test_refuse_what_clients_must_not_send(self):
         check = validator("client-message.json")
-        for sample in MESSAGES[: len(CATALOG["client"])]:
+        for sample in MESSAGES[:CLIENT_MESSAGES]:
             message = sample["message"]
             for field, required in CATALOG["client"][message["type"]].items():
                 if required:
@@ -92,7 +132,34 @@ class Schemas(unittest.TestCase):
                 self.assertFalse(check.is_valid({**message, field: None}), field)
             self.assertFalse(check.is_valid({**message, "extra": 1}))
             self.assertFalse(check.is_valid({**message, "seq": 0}))
-        self.assertFalse(check.is_valid({"type": "shoot", "seq": 1, "seat": 0, "direction": [0, 0]}))
+
+    def test_refuse_moves_that_are_none(self):
+        check = validator("client-message.json")
+
+        def is_valid(move):
+            return check.is_valid({"type": "move", "seq": 1, "seat": 0, "move": move})
+
+        moves = [sample["message"]["move"] for sample in MESSAGES[:CLIENT_MESSAGES] if "move" in sample["message"]]
+        self.assertEqual([move["type"] for move in moves], list(CATALOG["moves"]))
+        for move in moves:
+            self.assertTrue(is_valid(move), move)
+            self.assertFalse(is_valid({**move, "extra": 1}), move)
+            for field in move:
+                spoilt = copy.deepcopy(move)
+                del spoilt[field]
+                self.assertFalse(is_valid(spoilt), spoilt)
+        self.assertTrue(is_valid({"type": "shoot", "strike": {"direction": [1, 0]}}))
+        for strike in ({}, {"direction": [0, 0]}, {"direction": [1, 0], "speed": -1}, {"direction": [1, 0], "spin": 1},
+                       {"direction": [1, 0], "offset": [2, 0]}, {"direction": [1, 0], "elevation": -1}):
+            self.assertFalse(is_valid({"type": "shoot", "strike": strike}), strike)
+        self.assertFalse(is_valid({"type": "dance"}))
+
+    def test_refuse_settings_that_are_none(self):
+        check = validator("client-message.json")
+        for settings, good in (({}, True), ({"race_to": 3, "breaks": "loser", "turns": "solo"}, True),
+                               ({"race": 3}, False), ({"breaks": "first"}, False), ({"shot_clock_s": 7.5}, False)):
+            message = {"type": "create_match", "seq": 1, "name": "Ann", "settings": settings}
+            self.assertEqual(good, check.is_valid(message), settings)
 
 
 class AsyncApi(unittest.TestCase):
@@ -115,7 +182,72 @@ class AsyncApi(unittest.TestCase):
             self.assertIn(name, CATALOG[side])
 
 
+# The objects within messages whose fields have a table of their own, by its heading.
+TABLES = {
+    "Table state": ("server-message.json", "table_state"),
+    "Shot in progress": ("server-message.json", "live_shot"),
+    "Seat": ("server-message.json", "seat_info"),
+    "Event": ("server-message.json", "event"),
+    "Final ball": ("server-message.json", "final_ball"),
+    "Scene": ("scene.json", ""),
+    "Effects": ("scene.json", "effects"),
+    "Settings": ("game.json", "settings"),
+    "State": ("game.json", "state"),
+    "What is legal": ("game.json", "legal"),
+    "Ruling": ("game.json", "ruling"),
+}
+
+
+def names_in_rows(text):
+    """What stands in code in the first cell of each row."""
+    cells = re.findall(r"^\| (`\w+`(?:, `\w+`)*) \|", text, re.M)
+    return [name for cell in cells for name in re.findall(r"`(\w+)`", cell)]
+
+
 class Page(unittest.TestCase):
+    def test_has_a_row_with_the_parameters_and_defaults_of_each_effect(self):
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        part = page[page.index("#### Effects"): page.index("### Settings")]
+        rows = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", part, re.M))
+        self.assertEqual(list(rows), list(CATALOG["parts"]["scene.json"]["effects"]))
+        for effect, text in rows.items():
+            for field, listed in CATALOG["listed"][effect].items():
+                self.assertIn(f"`{field}`", text)
+                if "default" in listed:
+                    self.assertIn(f"`{field}` ({listed['default']:g}", text, effect)
+
+    def sections(self):
+        """The text below each heading, up to the next heading of any level."""
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        return dict(re.findall(r"^#+ ([^\n]+)\n(.*?)(?=^#+ |\Z)", page, re.S | re.M))
+
+    def test_has_a_table_with_the_fields_of_each_part(self):
+        sections = self.sections()
+        for heading, (file, part) in TABLES.items():
+            with self.subTest(heading=heading):
+                self.assertEqual(set(names_in_rows(sections[heading])), set(CATALOG["parts"][file][part]))
+
+    def test_has_a_heading_for_each_move_and_a_row_for_each_of_its_fields(self):
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        part = page[page.index("### Moves"): page.index("### State")]
+        sections = dict(re.findall(r"^#### `(\w+)`\n(.*?)(?=^#### |\Z)", part, re.S | re.M))
+        self.assertEqual(list(sections), list(CATALOG["moves"]))
+        stroke = CATALOG["parts"]["game.json"]["stroke"]
+        for move, text in sections.items():
+            fields = set(CATALOG["moves"][move]) - {"type"} | (set(stroke) if move == "shoot" else set())
+            self.assertEqual(set(names_in_rows(text)), fields, move)
+
+    def test_names_the_fields_of_what_is_legal_and_of_each_games_part(self):
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        games = page[page.index("## Games"): page.index("## Reject codes")]
+        parts = CATALOG["parts"]["game.json"]
+        for name in [*parts["region"], *parts["stroke_bounds"]]:
+            self.assertIn(f"`{name}`", games)
+        for game, fields in CATALOG["games"].items():
+            section = games[games.index(f"### `{game}`"):]
+            for name in fields:
+                self.assertIn(name, section)
+
     def test_has_a_heading_for_each_message_and_a_row_for_each_field(self):
         page = (FOLDER / "PROTOCOL.md").read_text()
         for side, end in (("client", "## From the server"), ("server", "## Parts of messages")):

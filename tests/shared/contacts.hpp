@@ -9,11 +9,12 @@ namespace poolhall::testing {
 /// Resolves contacts of elastic balls and of rails with restitution `e_rail`.
 [[nodiscard]] inline bool resolve_contacts(const std::vector<Contact>& contacts, double e_rail,
                                            std::vector<MovingBall>& balls) {
-    Scene scene;
-    scene.balls.resize(balls.size());
-    scene.effects.rail = {RailModel::kRestitution, e_rail};
+    ImpactModels models;
+    models.rail = {RailModel::kRestitution, e_rail};
+    models.unit_mass = BallSpec{}.mass;
+    models.balls = balls.size();
     ContactSolver solver;
-    solver.prepare(scene);
+    solver.prepare(models);
     return solver.resolve(contacts, balls);
 }
 

@@ -11,9 +11,7 @@ namespace poolhall::testing {
 /// All but `overlap`, which misses contacts by design.
 inline constexpr std::array kSweptSolvers{SolverKind::kEuler, SolverKind::kSemiImplicit,
                                           SolverKind::kExactArc, SolverKind::kEvent};
-inline constexpr std::array kAllSolvers{SolverKind::kEuler, SolverKind::kSemiImplicit,
-                                        SolverKind::kExactArc, SolverKind::kEvent,
-                                        SolverKind::kOverlap};
+inline constexpr std::array kAllSolvers = kValues<SolverKind>;
 /// Closed-form motion between events.
 inline constexpr std::array kClosedFormSolvers{SolverKind::kExactArc, SolverKind::kEvent};
 

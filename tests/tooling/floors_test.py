@@ -13,7 +13,7 @@ FLOORS = {
 }
 # Which folders of the client each may include besides itself and what is in it. Programs never include each other.
 CLIENT_MAY_INCLUDE = {
-    "desktop": {"play", "text", "files"},
+    "desktop": {"compare", "play", "text", "files"},
     "lab": {"analysis", "compare", "text", "files"},
     "replay": {"files"},
     "play": set(),

@@ -1,14 +1,15 @@
 #include "client/desktop/app/app.hpp"
 
-#include "client/desktop/app/audible.hpp"
+#include "client/desktop/app/help_screen.hpp"
 #include "client/desktop/app/screenshot.hpp"
+#include "client/desktop/app/table_screen.hpp"
 #include "client/desktop/net/clock.hpp"
-#include "client/desktop/net/websocket_transport.hpp"
-#include "client/play/practice_match.hpp"
-#include "client/play/remote_match.hpp"
-#include "shared/game/end_game.hpp"
+#include "client/desktop/render/colour.hpp"
+#include "client/desktop/view/table_painter.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace poolhall::client {
 namespace {
@@ -16,25 +17,46 @@ namespace {
 constexpr double kLongestWait = 0.25;     // s between two looks at the clock when nothing happens
 constexpr double kFirstFrame = 1.0 / 60;  // s that the first frame after a wait stands for
 constexpr double kLongestFrame = 0.25;  // s; after a longer hiccup motion goes on from where it was
-constexpr double kUnpacedFrame = 1.0 / 120;  // s of a frame when the display does not set the pace
-constexpr double kShortestFrame =
-    1.0 / 250;  // s of a frame when the display says that it does, and may not
+constexpr double kEarly = 0.0003;  // s that a frame may begin before its time: what waking up takes
 constexpr double kHiddenFrame = 1.0 / 30;  // s
 constexpr double kFrameRateMemory = 0.05;  // weight of the newest frame in the frame rate shown
+
+/// A screen that a key lays over the others.
+struct ScreenKey {
+    SDL_Keycode key;
+    std::unique_ptr<Screen> (*make)();
+};
+
+template <class S>
+std::unique_ptr<Screen> make() {
+    return std::make_unique<S>();
+}
+
+constexpr auto kScreenKeys = std::to_array<ScreenKey>({
+    {SDLK_F1, make<HelpScreen>},
+});
 
 int milliseconds(double seconds) {
     return std::max(1, static_cast<int>(1000 * seconds));
 }
 
-/// Ends the wait of the window's thread; may be called on any other.
-void wake_window() {
-    SDL_Event event{};
-    event.type = SDL_USEREVENT;
-    SDL_PushEvent(&event);
+bool on_keyboard(SDL_Keycode key) {
+    return SDL_GetScancodeFromKey(key) != SDL_SCANCODE_UNKNOWN;
 }
 
-Pacing pacing_of(const Options& options) {
-    return options.server ? Pacing::kLive : Pacing::kSteady;
+/// Keys with Alt or the system's key belong to the desktop, but not their coming up.
+SDL_Keycode key_of(const SDL_Event& event) {
+    if (event.type != SDL_KEYDOWN && event.type != SDL_KEYUP) return SDLK_UNKNOWN;
+    const SDL_Keysym& key = event.key.keysym;
+    if (event.type == SDL_KEYDOWN && (key.mod & (KMOD_ALT | KMOD_GUI)) != 0) return SDLK_UNKNOWN;
+    return meant(key, on_keyboard);
+}
+
+SDL_FPoint pointer_of(const SDL_Event& event, const Window& window) {
+    if (event.type == SDL_MOUSEMOTION) return window.to_pixels(event.motion.x, event.motion.y);
+    if (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP)
+        return window.to_pixels(event.button.x, event.button.y);
+    return {0, 0};
 }
 
 }  // namespace
@@ -42,21 +64,8 @@ Pacing pacing_of(const Options& options) {
 App::App(const Options& options)
     : screenshots_(options.screenshots),
       window_("Poolhall", options.width, options.height),
-      view_(&window_.renderer()),
-      tokens_(default_state_folder()),
-      playback_(pacing_of(options)),
-      match_(make_match(options)),
-      controller_(*match_, playback_) {}
-
-std::unique_ptr<Match> App::make_match(const Options& options) {
-    if (!options.server)
-        return std::make_unique<PracticeMatch>(kEndGameRules, options.name, playback_,
-                                               options.settings);
-    transport_ =
-        std::make_unique<WebSocketTransport>(*options.server, options.encoding, wake_window);
-    Wish wish{to_string(*options.server), options.code, options.name, options.watch,
-              options.settings};
-    return std::make_unique<RemoteMatch>(std::move(wish), *transport_, tokens_, playback_);
+      surface_(&window_.renderer()) {
+    screens_.push(std::make_unique<TableScreen>(options));
 }
 
 void App::run() {
@@ -64,14 +73,14 @@ void App::run() {
     while (running_) {
         handle_events();
         pass_time();
-        play_sounds();
         draw_if_needed();
     }
 }
 
 void App::handle_events() {
     SDL_Event event;
-    const double patience = std::min(kLongestWait, match_->due_in(clock_now()));
+    const double patience = std::min(kLongestWait, screens_.due_in(clock_now()));
+    if (stale()) await_next_frame();
     bool more = stale() ? SDL_PollEvent(&event) != 0
                         : SDL_WaitEventTimeout(&event, milliseconds(patience)) != 0;
     while (more) {
@@ -81,7 +90,8 @@ void App::handle_events() {
 }
 
 void App::handle(const SDL_Event& event) {
-    view_.handle_event(event);
+    const ScreenEvent for_screens{event, key_of(event), pointer_of(event, window_)};
+    if (screens_.handle(for_screens)) return;
     switch (event.type) {
         case SDL_QUIT:
             running_ = false;
@@ -91,26 +101,11 @@ void App::handle(const SDL_Event& event) {
             break;
         case SDL_RENDER_TARGETS_RESET:
         case SDL_RENDER_DEVICE_RESET:
+            surface_.reset();
             redraw_ = true;
             break;
         case SDL_KEYDOWN:
-            handle_key(event.key);
-            break;
-        case SDL_KEYUP:
-            input_.key_up(event.key.keysym.sym);
-            break;
-        case SDL_MOUSEMOTION:
-            if (event.motion.xrel != 0 || event.motion.yrel != 0) {
-                controller_.pointer_moved(on_table(event.motion.x, event.motion.y));
-            }
-            break;
-        case SDL_MOUSEBUTTONDOWN:
-            if (event.button.button == SDL_BUTTON_LEFT) {
-                controller_.pointer_pressed(on_table(event.button.x, event.button.y));
-            }
-            break;
-        case SDL_MOUSEBUTTONUP:
-            if (event.button.button == SDL_BUTTON_LEFT) controller_.pointer_released();
+            if (event.key.repeat == 0) press(for_screens.key);
             break;
         default:
             break;
@@ -119,10 +114,6 @@ void App::handle(const SDL_Event& event) {
 
 void App::handle_window(const SDL_WindowEvent& event) {
     switch (event.event) {
-        case SDL_WINDOWEVENT_FOCUS_LOST:
-            input_.release_all();
-            controller_.pointer_released();
-            break;
         case SDL_WINDOWEVENT_EXPOSED:
         case SDL_WINDOWEVENT_SIZE_CHANGED:
         case SDL_WINDOWEVENT_RESTORED:
@@ -134,62 +125,27 @@ void App::handle_window(const SDL_WindowEvent& event) {
     }
 }
 
-void App::handle_key(const SDL_KeyboardEvent& event) {
-    // Keys with Alt or the system's key belong to the desktop.
-    if ((event.keysym.mod & (KMOD_ALT | KMOD_GUI)) != 0) return;
-    if (const auto action = input_.key_down(event.keysym.sym, event.repeat != 0)) act(*action);
-}
-
-void App::act(Action action) {
-    switch (action) {
-        case Action::kExit:
-            running_ = false;
-            break;
-        case Action::kScreenshot:
-            screenshot_wanted_ = true;
-            break;
-        case Action::kCopyCode:
-            copy_code();
-            break;
-        default:
-            controller_.act(action);
-            break;
+void App::press(SDL_Keycode key) {
+    const auto action = action_of(key);
+    if (action == Action::kExit) running_ = false;
+    if (action == Action::kScreenshot) screenshot_wanted_ = true;
+    if (action == Action::kFrameRate) {
+        shows_frame_rate_ = !shows_frame_rate_;
+        redraw_ = true;
     }
-}
-
-void App::copy_code() {
-    const std::string code = controller_.view().match.code;
-    if (code.empty()) {
-        controller_.show_status("There is no join code here");
-    } else if (SDL_SetClipboardText(code.c_str()) == 0) {
-        controller_.show_status("Copied " + code);
-    } else {
-        controller_.show_status("Not copied: " + std::string(SDL_GetError()));
+    for (const ScreenKey& screen : kScreenKeys) {
+        if (screen.key == key) screens_.push(screen.make());
     }
-}
-
-Vec2 App::on_table(int x, int y) const {
-    return view_.to_table(window_.to_pixels(x, y));
 }
 
 void App::pass_time() {
     const double now = clock_now();
-    const double dt = was_busy_ ? std::min(now - time_, kLongestFrame) : kFirstFrame;
-    if (was_busy_) frame_time_ += kFrameRateMemory * (dt - frame_time_);
+    const double dt = was_moving_ ? std::min(now - time_, kLongestFrame) : kFirstFrame;
     time_ = now;
-    controller_.update(dt, now, input_.take_steering());
-    was_busy_ = busy();
-}
-
-void App::play_sounds() {
-    sounds_.set_muted(controller_.muted());
-    const auto heard = controller_.take_heard();
-    if (heard.empty()) return;
-    const Table table = controller_.view().table;
-    for (const Heard& one : heard) {
-        if (const auto sound = audible(one, table))
-            sounds_.play(sound->sound, sound->strength, sound->pan);
-    }
+    screens_.update(dt, now);
+    // That a motion has come to its end is shown too.
+    if (was_moving_ && !screens_.moves() && shows_frame_rate_) redraw_ = true;
+    was_moving_ = screens_.moves();
 }
 
 void App::draw_if_needed() {
@@ -198,19 +154,19 @@ void App::draw_if_needed() {
         SDL_Delay(static_cast<Uint32>(milliseconds(kHiddenFrame)));
         return;
     }
-    if (!stale()) return;
-    drawn_revision_ = controller_.revision();
+    if (!stale() || next_frame_in() > 0) return;
+    drawn_revision_ = screens_.revision();
     redraw_ = false;
     draw();
-    pace();
 }
 
 void App::draw() {
-    ViewState state = controller_.view();
-    if (controller_.shows_frame_rate()) state.frames_per_second = 1 / frame_time_;
-    window_.set_title("Poolhall " +
-                      (state.match.link == Link::kOffline ? "practice" : state.match.code));
-    view_.draw(state, time_);
+    note_frame(clock_now());
+    window_.set_title(screens_.title());
+    surface_.canvas.begin(to_colour(kRoom));
+    if (surface_.canvas.width() > 0 && surface_.canvas.height() > 0)
+        screens_.draw({surface_, time_, frames_per_second()});
+    surface_.canvas.finish();
     if (screenshot_wanted_) take_screenshot();
     SDL_RenderPresent(&window_.renderer());
 }
@@ -218,21 +174,33 @@ void App::draw() {
 void App::take_screenshot() {
     screenshot_wanted_ = false;
     const auto saved = save_screenshot(window_.renderer(), screenshots_);
-    controller_.show_status(saved.ok() ? "Saved " + saved->string() : saved.error().reason);
+    screens_.show_status(saved.ok() ? "Saved " + saved->string() : saved.error().reason);
 }
 
-void App::pace() {
-    const double shortest = window_.paced_by_display() ? kShortestFrame : kUnpacedFrame;
-    const double left = time_ + shortest - clock_now();
-    if (busy() && left > 0) SDL_Delay(static_cast<Uint32>(milliseconds(left)));
+std::optional<double> App::frames_per_second() const {
+    if (!shows_frame_rate_) return std::nullopt;
+    return drew_motion_ ? 1 / frame_time_ : 0;
+}
+
+void App::note_frame(double now) {
+    const bool follows = drew_motion_ && screens_.moves();
+    if (follows) frame_time_ += kFrameRateMemory * (now - drawn_at_ - frame_time_);
+    drew_motion_ = screens_.moves();
+    drawn_at_ = now;
+}
+
+double App::next_frame_in() const {
+    return drawn_at_ + window_.frame_time() - kEarly - clock_now();
+}
+
+void App::await_next_frame() {
+    const double left = next_frame_in();
+    if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
 }
 
 bool App::stale() const {
-    return busy() || redraw_ || screenshot_wanted_ || controller_.revision() != drawn_revision_;
-}
-
-bool App::busy() const {
-    return controller_.animated() || input_.steers();
+    return screens_.moves() || redraw_ || screenshot_wanted_ ||
+           screens_.revision() != drawn_revision_;
 }
 
 }  // namespace poolhall::client

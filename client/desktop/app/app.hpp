@@ -1,18 +1,15 @@
 #pragma once
 
+#include "client/desktop/app/input.hpp"
 #include "client/desktop/app/options.hpp"
-#include "client/desktop/app/table_controller.hpp"
+#include "client/desktop/app/screen_stack.hpp"
 #include "client/desktop/app/window.hpp"
-#include "client/desktop/audio/sounds.hpp"
-#include "client/desktop/net/token_store.hpp"
-#include "client/desktop/view/table_view.hpp"
-#include "client/play/transport.hpp"
 
-#include <memory>
+#include <filesystem>
 
 namespace poolhall::client {
 
-/// The program: a window, a match and the loop that connects them.
+/// The program: a window, the screens in it, and the loop that keeps them going.
 class App {
   public:
     /// Throws std::runtime_error, one line, when there is nothing to show a table on.
@@ -22,43 +19,39 @@ class App {
     void run();
 
   private:
-    [[nodiscard]] std::unique_ptr<Match> make_match(const Options& options);
     void handle_events();
     void handle(const SDL_Event& event);
     void handle_window(const SDL_WindowEvent& event);
-    void handle_key(const SDL_KeyboardEvent& event);
-    void act(Action action);
-    void copy_code();
-    [[nodiscard]] Vec2 on_table(int x, int y) const;
+    void press(SDL_Keycode key);
     void pass_time();
-    void play_sounds();
     void draw_if_needed();
     void draw();
     void take_screenshot();
-    void pace();
+    /// The frame rate, where it is asked for.
+    [[nodiscard]] std::optional<double> frames_per_second() const;
+    void note_frame(double now);
+    /// How long it is until a frame may be drawn, s: none is drawn sooner than the display can show
+    /// it, whether or not the renderer waits for that.
+    [[nodiscard]] double next_frame_in() const;
+    void await_next_frame();
     /// The window does not show how things stand.
     [[nodiscard]] bool stale() const;
-    /// Something moves: frame follows frame, without waiting for events.
-    [[nodiscard]] bool busy() const;
 
     const std::filesystem::path screenshots_;
     Window window_;
-    TableView view_;
-    Sounds sounds_;
-    TokenStore tokens_;
-    Playback playback_;
-    std::unique_ptr<Transport> transport_;
-    std::unique_ptr<Match> match_;
-    TableController controller_;
-    Input input_;
+    DrawingSurface surface_;
+    ScreenStack screens_;
 
     bool running_ = true;
     bool redraw_ = true;  ///< what the window shows was lost
     bool screenshot_wanted_ = false;
-    double time_ = 0;        ///< of the last frame, s
-    bool was_busy_ = false;  ///< the last frame followed its predecessor without a wait
+    bool shows_frame_rate_ = false;
+    double time_ = 0;          ///< of the last look at the clock, s
+    bool was_moving_ = false;  ///< something moved then: time has passed since without a wait
     std::uint64_t drawn_revision_ = 0;
-    double frame_time_ = 1.0 / 60;  ///< s from one frame to the next, on average
+    double drawn_at_ = 0;           ///< when the last frame was begun, s
+    bool drew_motion_ = false;      ///< something moved in it
+    double frame_time_ = 1.0 / 60;  ///< s from one frame of a motion to the next, on average
 };
 
 }  // namespace poolhall::client

@@ -1,6 +1,7 @@
 #include "client/desktop/app/audible.hpp"
 
 #include "shared/game/end_game.hpp"
+#include "shared/table/pool_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +21,20 @@ double approach_speed(const ShotEvent& event) {
     return dot(xy(event.before[0].v) - xy(event.before[1].v), along);
 }
 
-double speed_into_rail(const ShotEvent& event) {
-    const bool long_rail = event.rail == Rail::kNorth || event.rail == Rail::kSouth;
-    return long_rail ? event.before[0].v.y : event.before[0].v.x;
+/// Of the rubber where a ball centred at `r` (m) touches a rail end.
+Vec2 jaw_normal(const Table& table, Rail jaw, Vec2 r) {
+    const PoolTable pool(table);
+    const auto is_jaws = [jaw](const auto& part) { return part.rail == jaw; };
+    const auto facing = std::find_if(pool.lines().begin(), pool.lines().end(), is_jaws);
+    if (within(*facing, r)) return facing->normal;
+    return normalized(std::find_if(pool.arcs().begin(), pool.arcs().end(), is_jaws)->centre - r);
+}
+
+double speed_into_rail(const ShotEvent& event, const Table& table) {
+    const Vec2 v = xy(event.before[0].v);
+    if (event.rail == Rail::kNorth || event.rail == Rail::kSouth) return v.y;
+    if (event.rail < kFirstJaw) return v.x;
+    return dot(v, jaw_normal(table, event.rail, xy(event.before[0].r)));
 }
 
 std::optional<Audible> audible_event(const ShotEvent& event, const Table& table) {
@@ -33,7 +45,7 @@ std::optional<Audible> audible_event(const ShotEvent& event, const Table& table)
         case EventKind::kBallBall:
             return Audible{Sound::kClick, loudness(approach_speed(event)), pan};
         case EventKind::kBallRail:
-            return Audible{Sound::kRail, loudness(speed_into_rail(event)), pan};
+            return Audible{Sound::kRail, loudness(speed_into_rail(event, table)), pan};
         case EventKind::kBounce:
             return Audible{Sound::kRail, loudness(std::abs(event.before[0].v.z)), pan};
         case EventKind::kBallPocket:
@@ -49,9 +61,9 @@ std::optional<Audible> audible_event(const ShotEvent& event, const Table& table)
 
 }  // namespace
 
-std::optional<Audible> audible(const Heard& heard, const Table& table) {
-    if (const auto* event = std::get_if<ShotEvent>(&heard)) return audible_event(*event, table);
-    const bool lost = std::get<GameEnded>(heard).tone == Tone::kLost;
+std::optional<Audible> audible(const TableSound& sound, const Table& table) {
+    if (const auto* event = std::get_if<ShotEvent>(&sound)) return audible_event(*event, table);
+    const bool lost = std::get<GameEnded>(sound).tone == Tone::kLost;
     return Audible{lost ? Sound::kLost : Sound::kWon, 1, 0};
 }
 

@@ -16,6 +16,6 @@ struct Audible {
 
 /// What is heard of it: clicks by the relative speed along the line of centres, rails by the speed
 /// towards them, all of it where it happens along the table. Nothing for a ball that comes to rest.
-[[nodiscard]] std::optional<Audible> audible(const Heard& heard, const Table& table);
+[[nodiscard]] std::optional<Audible> audible(const TableSound& sound, const Table& table);
 
 }  // namespace poolhall::client

@@ -14,7 +14,6 @@ struct ActionKey {
 
 constexpr auto kActionKeys = std::to_array<ActionKey>({
     {SDLK_ESCAPE, Action::kExit},
-    {SDLK_F1, Action::kHelp},
     {SDLK_F2, Action::kFrameRate},
     {SDLK_F3, Action::kStepMode},
     {SDLK_F4, Action::kCollisionMode},
@@ -46,15 +45,27 @@ constexpr auto kSteering = std::to_array<SteeringKey>({
 
 }  // namespace
 
+std::optional<Action> action_of(SDL_Keycode key) {
+    const auto* found = std::find_if(std::begin(kActionKeys), std::end(kActionKeys),
+                                     [key](const ActionKey& k) { return k.key == key; });
+    return found != std::end(kActionKeys) ? std::optional(found->action) : std::nullopt;
+}
+
+SDL_Keycode meant(const SDL_Keysym& key, LayoutHas layout_has) {
+    const bool is_letter = key.sym >= SDLK_a && key.sym <= SDLK_z;
+    const bool in_place_of_one = key.scancode >= SDL_SCANCODE_A && key.scancode <= SDL_SCANCODE_Z;
+    if (is_letter || !in_place_of_one) return key.sym;
+    const SDL_Keycode letter = SDLK_a + (key.scancode - SDL_SCANCODE_A);
+    return layout_has(letter) ? key.sym : letter;
+}
+
 std::optional<Action> Input::key_down(SDL_Keycode key, bool repeat) {
     if (repeat) return std::nullopt;
     if (Key* steering = steering_key(key)) {
         *steering = {true, true};
         return std::nullopt;
     }
-    const auto* found = std::find_if(std::begin(kActionKeys), std::end(kActionKeys),
-                                     [key](const ActionKey& k) { return k.key == key; });
-    return found != std::end(kActionKeys) ? std::optional(found->action) : std::nullopt;
+    return action_of(key);
 }
 
 void Input::key_up(SDL_Keycode key) {

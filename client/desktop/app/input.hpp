@@ -1,6 +1,6 @@
 #pragma once
 
-#include <SDL2/SDL_keycode.h>
+#include <SDL2/SDL_keyboard.h>
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,6 @@ namespace poolhall::client {
 /// What a key asks for at the moment it goes down.
 enum class Action : std::uint8_t {
     kExit,
-    kHelp,
     kFrameRate,
     kStepMode,
     kCollisionMode,
@@ -26,12 +25,23 @@ enum class Action : std::uint8_t {
 /// What the held keys ask for.
 struct Steering {
     double turn = 0;   ///< of the aim, rad/s, counterclockwise
-    double slide = 0;  ///< of the cue ball along the base line, m/s, upwards
+    double slide = 0;  ///< of the cue ball in hand, m/s, upwards
 
     [[nodiscard]] bool idle() const { return turn == 0 && slide == 0; }
 };
 
-/// The keyboard. Keys are given as the system reports them; nothing here needs a window.
+/// What the key asks for; nothing for those that steer and those that do nothing.
+[[nodiscard]] std::optional<Action> action_of(SDL_Keycode key);
+
+/// Whether the layout in use has a key, in any place.
+using LayoutHas = bool (*)(SDL_Keycode key);
+
+/// The key that is meant: the letter that stands on it (M is where M is printed, on AZERTY too), or
+/// where the layout has no such letter (Russian, Greek, Arabic, Hebrew) the one that a US keyboard
+/// has in that place.
+[[nodiscard]] SDL_Keycode meant(const SDL_Keysym& key, LayoutHas layout_has);
+
+/// The keyboard. Keys are given as meant() has them; nothing here needs a window.
 class Input {
   public:
     /// The action of a key that went down; repeats of a key held down are none.

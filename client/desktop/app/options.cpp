@@ -1,7 +1,7 @@
 #include "client/desktop/app/options.hpp"
 
 #include "client/desktop/app/physics_file.hpp"
-#include "client/desktop/view/table_view.hpp"
+#include "client/desktop/view/layout.hpp"
 #include "protocol/text.hpp"
 #include "shared/game/end_game.hpp"
 

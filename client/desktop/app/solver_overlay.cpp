@@ -21,7 +21,7 @@ constexpr std::array<SolverSpec, 7> kEntrants{{{SolverKind::kEvent},
 using SolverSet = std::array<std::size_t, 3>;
 constexpr std::array<SolverSet, 3> kSets{{{0, 1, 2}, {1, 3, 4}, {0, 5, 6}}};
 
-constexpr compare::ContestRules kRules{.sample_hz = 120, .repeats = 5, .patience_ns = 1e6};
+constexpr compare::ComparisonLimits kLimits{.sample_hz = 120, .repeats = 5, .max_cpu_ns = 1e6};
 constexpr double kFinest = 2e-4;  // m; of the paths' drawing
 constexpr double kSeen = 1e-5;    // m; smaller distances are not told
 
@@ -32,11 +32,11 @@ std::string words_of(const SolverSpec& solver) {
     return colon == std::string::npos ? words : words.replace(colon, 1, " ") + " Hz";
 }
 
-std::string distance_of(const compare::Contest& contest, const compare::Contender& contender) {
-    const compare::Contender& reference = contest.contenders[*contest.reference];
-    if (&contender == &reference) return "the reference";
-    const bool same = analysis::is_same_verdict(reference.trace, contender.trace);
-    const double distance = compare::farthest_ball(contender)->distance;
+std::string distance_of(const compare::Comparison& comparison, const compare::SolverRun& run) {
+    const compare::SolverRun& reference = comparison.runs[*comparison.reference];
+    if (&run == &reference) return "the reference";
+    const bool same = analysis::is_same_verdict(reference.trace, run.trace);
+    const double distance = compare::farthest_ball(run)->distance;
     const std::string off = distance < kSeen ? "under " + compare::text_of_distance(kSeen)
                                              : compare::text_of_distance(distance);
     const std::string said = off + " off " + compare::label(reference.solver);
@@ -83,25 +83,26 @@ bool SolverOverlay::poll() {
 }
 
 std::vector<SolverOverlay::Entry> SolverOverlay::entries_of(const Scene& scene) {
-    const compare::Contest contest = compare::contest(scene, kEntrants, kRules);
+    const compare::Comparison comparison = compare::compare_solvers(scene, kEntrants, kLimits);
     std::vector<Entry> entries;
-    for (const compare::Contender& contender : contest.contenders)
-        entries.push_back(entry_of(scene, contest, contender));
+    for (const compare::SolverRun& run : comparison.runs)
+        entries.push_back(entry_of(scene, comparison, run));
     return entries;
 }
 
-SolverOverlay::Entry SolverOverlay::entry_of(const Scene& scene, const compare::Contest& contest,
-                                             const compare::Contender& contender) {
+SolverOverlay::Entry SolverOverlay::entry_of(const Scene& scene,
+                                             const compare::Comparison& comparison,
+                                             const compare::SolverRun& run) {
     Entry entry;
-    entry.view.name = words_of(contender.solver);
-    entry.view.decides = contender.solver == scene.solver;
-    if (contender.refusal) {
+    entry.view.name = words_of(run.solver);
+    entry.view.decides = run.solver == scene.solver;
+    if (run.refusal) {
         entry.view.distance = "cannot do these effects";
         return entry;
     }
-    entry.view.cost = compare::text_of_cost(contender.cpu_ns);
-    entry.view.distance = distance_of(contest, contender);
-    for (analysis::Path& path : analysis::paths_of(scene, contender.trace)) {
+    entry.view.cost = compare::text_of_cost(run.cpu_ns);
+    entry.view.distance = distance_of(comparison, run);
+    for (analysis::Path& path : analysis::paths_of(scene, run.trace)) {
         auto outline = analysis::outline_of(path, kFinest);
         if (outline.size() < 2 || (outline.size() == 2 && outline[0] == outline[1])) continue;
         entry.view.paths.push_back(std::move(outline));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 #include "client/play/playback.hpp"
 #include "client/play/view_state.hpp"
 #include "shared/analysis/paths.hpp"
@@ -52,8 +52,8 @@ class SolverOverlay {
 
     void start();
     [[nodiscard]] static std::vector<Entry> entries_of(const Scene& scene);
-    [[nodiscard]] static Entry entry_of(const Scene& scene, const compare::Contest& contest,
-                                        const compare::Contender& contender);
+    [[nodiscard]] static Entry entry_of(const Scene& scene, const compare::Comparison& comparison,
+                                        const compare::SolverRun& run);
 
     std::size_t chosen_ = 0;  ///< 0: off; else which of the sets, from 1
     std::optional<std::uint32_t> shot_;

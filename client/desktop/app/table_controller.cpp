@@ -1,8 +1,9 @@
 #include "client/desktop/app/table_controller.hpp"
 
-#include "client/play/remote_match.hpp"
+#include "client/play/cue_ball.hpp"
+#include "client/play/isolated.hpp"
 #include "client/play/words.hpp"
-#include "shared/game/end_game.hpp"
+#include "shared/game/ruleset.hpp"
 
 #include <cmath>
 #include <limits>
@@ -22,33 +23,24 @@ Vec2 rotated(Vec2 direction, double angle) {
 
 }  // namespace
 
-TableController::TableController(Match& match, Playback& playback)
-    : match_(match), playback_(playback), shown_(match, playback) {
-    shown_.refresh();
+TableController::TableController(ClientMatch& match, Playback& playback)
+    : match_(match), playback_(playback), shown_(match, playback), placing_(match) {
+    refresh();
 }
 
 void TableController::act(Action action) {
     ++revision_;
     switch (action) {
-        case Action::kHelp:
-            help_ = !help_;
-            break;
-        case Action::kFrameRate:
-            frame_rate_ = !frame_rate_;
-            break;
         case Action::kStepMode:
-            step_mode_ = !step_mode_;
+            step_mode_.toggle();
             trail_.clear();
             break;
         case Action::kCollisionMode:
-            collision_mode_ = !collision_mode_;
+            shown_.toggle_collision_marks();
             break;
         case Action::kSolvers:
             solvers_.cycle();
             show_status(solvers_.description());
-            break;
-        case Action::kMute:
-            muted_ = !muted_;
             break;
         case Action::kHotSeat:
             match_.toggle_hot_seat();
@@ -57,6 +49,8 @@ void TableController::act(Action action) {
             go();
             break;
         case Action::kExit:
+        case Action::kFrameRate:
+        case Action::kMute:
         case Action::kScreenshot:
         case Action::kCopyCode:
             break;
@@ -64,16 +58,18 @@ void TableController::act(Action action) {
 }
 
 void TableController::go() {
-    if (help_) {
-        help_ = false;
-    } else if (match_.info().link == Link::kLost || match_.info().link == Link::kConnecting) {
+    if (match_.info().link == Link::kLost || match_.info().link == Link::kConnecting) {
         match_.retry_now();
-    } else if (step_mode_ && !playback_.idle()) {
+    } else if (step_mode_.on() && !playback_.idle()) {
         take_step();
+        step_mode_.looked(now_, playback_.idle() && !shown_.result());
+    } else if (step_mode_.takes(now_)) {
+        return;
     } else if (shown_.result()) {
-        match_.ask_new_game();
-    } else if (shown_.acting_seat()) {
-        match_.shoot(match_.info().table->aim);
+        match_.make(Agree{Accord::kRematch});
+        step_mode_.looked(now_, false);
+    } else if (acting()) {
+        match_.make(Shoot{{.direction = match_.info().table->aim}});
     }
 }
 
@@ -88,7 +84,7 @@ void TableController::take_step() {
         return;
     }
     take_passed();
-    shown_.refresh();
+    refresh();
     std::vector<Vec2> after;
     for (const BallView& ball : shown_.balls())
         after.push_back(ball.r);
@@ -106,14 +102,13 @@ void TableController::update(double dt, double now, const Steering& steering) {
     }
     advance(dt);
     if (solvers_.poll()) ++revision_;
-    shown_.refresh();
-    announce_result();
+    refresh();
     pause_before_new_game();
     steer(dt, steering);
 }
 
 void TableController::advance(double dt) {
-    if (!playback_.idle() && !step_mode_) {
+    if (!playback_.idle() && !step_mode_.on()) {
         playback_.advance(dt);
         ++revision_;
     }
@@ -122,80 +117,72 @@ void TableController::advance(double dt) {
 
 void TableController::take_passed() {
     for (const auto& passed : playback_.take_passed()) {
-        marks_.pass(passed);
-        if (const auto* event = std::get_if<ShotEvent>(&passed)) heard_.emplace_back(*event);
-        if (const auto* end = std::get_if<Playback::ShotFinished>(&passed)) finish(end->shot);
+        shown_.pass(passed);
+        if (const auto* event = std::get_if<ShotEvent>(&passed)) sounds_.emplace_back(*event);
+        if (const auto* end = std::get_if<Playback::ShotFinished>(&passed))
+            solvers_.follow(end->shot);
     }
     if (const Shot* shot = playback_.shot()) solvers_.follow(*shot);
 }
 
-void TableController::finish(const Shot& shot) {
-    shown_.shot_finished(shot);
-    solvers_.follow(shot);
+bool TableController::at_end_of_shot() const {
+    return step_mode_.at_end() && playback_.idle();
 }
 
-void TableController::announce_result() {
+bool TableController::acting() const {
+    return shown_.acting_seat() && !at_end_of_shot();
+}
+
+void TableController::refresh() {
+    if (!shown_.refresh()) return;
+    ++revision_;
     const auto result = shown_.result();
-    if (result && !result_announced_)
-        heard_.emplace_back(GameEnded{tone_of(*result, match_.info())});
-    if (result.has_value() != result_announced_) ++revision_;
-    result_announced_ = result.has_value();
+    if (result) sounds_.emplace_back(GameEnded{tone_of(*result, match_.info())});
+    ended_at_ = result ? std::optional(now_) : std::nullopt;
 }
 
 void TableController::pause_before_new_game() {
     // In step mode time stands still, and a game that has ended can be looked at for as long as one
     // likes.
-    if (!practice() || !shown_.result() || step_mode_) {
-        ended_at_.reset();
-        return;
-    }
-    if (!ended_at_) ended_at_ = now_;
-    if (now_ - *ended_at_ >= kNewGamePause) match_.ask_new_game();
+    if (!ended_at_) return;
+    if (step_mode_.on()) ended_at_ = now_;
+    if (practice() && now_ - *ended_at_ >= kNewGamePause) match_.make(Agree{Accord::kRematch});
 }
 
 void TableController::steer(double dt, const Steering& steering) {
-    if (steering.idle() || !shown_.acting_seat()) return;
-    if (steering.slide != 0) place_cue_ball(cue_ball() + Vec2{0, steering.slide * dt});
+    if (steering.idle() || !acting()) return;
+    if (steering.slide != 0) match_.hold_cue_ball(cue_ball() + Vec2{0, steering.slide * dt});
     if (steering.turn != 0) match_.aim(rotated(match_.info().table->aim, steering.turn * dt));
 }
 
-void TableController::place_cue_ball(Vec2 position) {
-    const auto& table = *match_.info().table;
-    const Ruleset* rules = find_ruleset(table.game);
-    if (!table.may_place || rules == nullptr) return;
-    const auto place = rules->nearest_placement(game_state_of(table), position);
-    if (place && *place != cue_ball()) match_.place_cue_ball(*place);
-}
-
 void TableController::pointer_moved(Vec2 r) {
-    if (help_ || !shown_.acting_seat()) return;
-    if (dragging_) {
-        place_cue_ball(r);
+    if (!acting()) return;
+    if (placing_.dragging()) {
+        placing_.drag(r);
     } else {
         aim_at(r);
     }
 }
 
 void TableController::pointer_pressed(Vec2 r) {
-    if (help_) {
-        act(Action::kHelp);
+    if (at_end_of_shot()) {
+        step_mode_.leave_end();
+        ++revision_;
         return;
     }
-    if (!shown_.acting_seat()) return;
-    const auto& table = *match_.info().table;
-    const bool on_cue_ball = norm(r - cue_ball()) <= table.scene.ball.radius;
-    dragging_ = on_cue_ball && table.may_place;
-    if (!dragging_) match_.shoot(table.aim);
+    if (!acting()) return;
+    if (!placing_.take_up(r)) match_.make(Shoot{{.direction = match_.info().table->aim}});
 }
 
 void TableController::pointer_released() {
-    dragging_ = false;
+    placing_.let_go();
 }
 
 void TableController::aim_at(Vec2 r) {
     const Vec2 direction = r - cue_ball();
     // From within the ball the aim would spin about with the smallest move.
-    if (norm(direction) > match_.info().table->scene.ball.radius) match_.aim(normalized(direction));
+    if (norm(direction) > match_.info().table->state.scene.ball.radius)
+        match_.aim(normalized(direction));
 }
 
 void TableController::show_status(std::string line) {
@@ -204,51 +191,52 @@ void TableController::show_status(std::string line) {
     ++revision_;
 }
 
-std::vector<Heard> TableController::take_heard() {
-    return std::exchange(heard_, {});
+std::vector<TableSound> TableController::take_sounds() {
+    return std::exchange(sounds_, {});
 }
 
 bool TableController::animated() const {
-    return frame_rate_ || solvers_.pending() || (!playback_.idle() && !step_mode_);
+    return solvers_.pending() || (!playback_.idle() && !step_mode_.on());
 }
 
 Vec2 TableController::cue_ball() const {
-    const auto& table = *match_.info().table;
-    return xy(table.scene.balls[table.cue_ball.value].state.r);
+    return cue_ball_of(*match_.info().table);
 }
 
-ViewState TableController::view() const {
+ViewState TableController::view(std::optional<double> frames_per_second) const {
     const MatchInfo& info = match_.info();
     ViewState view;
-    view.table = {end_game::kLength, end_game::kWidth, true, PocketModel::kEndGame};
     if (const auto& table = shown_.table()) {
-        view.table = table->scene.table;
-        view.ball_radius = table->scene.ball.radius;
-        if (shown_.acting_seat() && table->may_place) view.base_line_x = cue_ball().x;
+        view.table = table->state.scene.table;
+        view.ball_radius = table->state.scene.ball.radius;
+        if (acting()) view.placement = table->legal.place;
+    } else {
+        view.table = all_rulesets().front()->new_game(Seat{0}).scene.table;
     }
     view.balls = shown_.balls();
     view.aim = aim_view();
     view.trail = trail_.rings();
-    if (collision_mode_) view.marks = marks_.marks();
+    view.marks = shown_.collision_marks();
     view.solvers = solver_views();
     view.match = match_view();
     view.banner = banner(info, shown_);
-    if (frame_rate_ || has_own_physics(info)) view.physics = physics_of(info);
+    view.frames_per_second = frames_per_second;
+    if (frames_per_second || has_own_physics(info)) view.physics = physics_of(info);
     view.status = status_;
-    view.hint = hint(info, shown_, step_mode_);
-    view.step_mode = step_mode_;
-    view.collision_mode = collision_mode_;
-    view.help = help_;
-    view.muted = muted_;
+    view.hint = at_end_of_shot() ? "End of the shot. Space again: back to the table"
+                                 : hint(info, shown_, step_mode_.on());
+    view.step_mode = step_mode_.on();
+    view.collision_mode = shown_.collision_mode();
     return view;
 }
 
 std::optional<AimView> TableController::aim_view() const {
     const auto& table = shown_.table();
-    if (!table || !shown_.at_rest() || table->phase != protocol::Phase::kAiming)
+    if (!table || !shown_.at_rest() || at_end_of_shot() || table->phase != protocol::Phase::kAiming)
         return std::nullopt;
     if (table->aim == Vec2{}) return std::nullopt;
-    return AimView{cue_ball(), table->aim, predict(table->scene, table->cue_ball, table->aim)};
+    return AimView{cue_ball(), table->aim,
+                   predict(shown_state(*table).scene, table->state.cue_ball, table->aim)};
 }
 
 std::vector<SolverView> TableController::solver_views() const {
@@ -268,10 +256,10 @@ MatchView TableController::match_view() const {
     view.spectators = table->spectators;
     const bool has_turn =
         table->phase == protocol::Phase::kAiming || table->phase == protocol::Phase::kPlaying;
-    if (has_turn) view.turn = table->turn;
+    if (has_turn) view.turn = table->legal.seat;
     for (std::size_t i = 0; i < kSeatCount; ++i) {
         const auto& seat = table->seats[i];
-        view.seats[i] = {seat.taken ? seat.name : "", seat.connected, info.mine[i],
+        view.seats[i] = {seat.taken ? isolated(seat.name) : "", seat.connected, info.mine[i],
                          seat.wants_rematch, seat.wins};
     }
     return view;

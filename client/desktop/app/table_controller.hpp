@@ -2,7 +2,9 @@
 
 #include "client/desktop/app/input.hpp"
 #include "client/desktop/app/solver_overlay.hpp"
+#include "client/desktop/app/step_mode.hpp"
 #include "client/play/overlays.hpp"
+#include "client/play/placing.hpp"
 #include "client/play/shown_table.hpp"
 
 #include <string>
@@ -11,23 +13,23 @@
 
 namespace poolhall::client {
 
-/// Something to be heard.
 struct GameEnded {
     Tone tone = Tone::kNeutral;
 };
 
-using Heard = std::variant<ShotEvent, GameEnded>;
+/// Something to be heard.
+using TableSound = std::variant<ShotEvent, GameEnded>;
 
 /// Turns keys, mouse and time into commands to the match, and all that is known into what one frame
 /// shows. It needs neither window nor sound.
 class TableController {
   public:
-    TableController(Match& match, Playback& playback);
+    TableController(ClientMatch& match, Playback& playback);
 
     static constexpr double kNewGamePause = 3;  ///< s after a practice game has ended
     static constexpr double kStatusTime = 4;    ///< s that a status line stays
 
-    /// The actions that belong to the table; the window's own (exit, screenshot, copy) are ignored.
+    /// The actions that belong to the match; those of the window and its screens are ignored.
     void act(Action action);
     /// Lets `dt` s pass until `now` (s) with the keys held as given.
     void update(double dt, double now, const Steering& steering);
@@ -39,16 +41,15 @@ class TableController {
 
     void show_status(std::string line);
 
-    [[nodiscard]] ViewState view() const;
+    /// With the frame rate, where that is to be shown; but for what is not the table's: sound.
+    [[nodiscard]] ViewState view(std::optional<double> frames_per_second = std::nullopt) const;
+    /// Who plays, and over what.
+    [[nodiscard]] MatchView match_view() const;
     /// What became audible since the last call.
-    [[nodiscard]] std::vector<Heard> take_heard();
+    [[nodiscard]] std::vector<TableSound> take_sounds();
 
     /// Something on the screen changes by itself from frame to frame.
     [[nodiscard]] bool animated() const;
-
-    [[nodiscard]] bool shows_frame_rate() const { return frame_rate_; }
-
-    [[nodiscard]] bool muted() const { return muted_; }
 
     /// Rises whenever what view() gives may have changed.
     [[nodiscard]] std::uint64_t revision() const { return revision_ + match_.info().revision; }
@@ -57,37 +58,33 @@ class TableController {
     void go();
     void take_step();
     void steer(double dt, const Steering& steering);
-    void place_cue_ball(Vec2 position);
     void aim_at(Vec2 r);
     void advance(double dt);
     void take_passed();
-    void finish(const Shot& shot);
-    void announce_result();
+    /// Shows the match and the playback as they are now; a result that comes into sight is heard.
+    void refresh();
     void pause_before_new_game();
 
     [[nodiscard]] bool practice() const { return match_.info().link == Link::kOffline; }
 
+    /// The last step of step mode has been taken; the aim comes back when that has been seen.
+    [[nodiscard]] bool at_end_of_shot() const;
+    /// Someone here may aim, place and shoot now.
+    [[nodiscard]] bool acting() const;
     [[nodiscard]] Vec2 cue_ball() const;
     [[nodiscard]] std::optional<AimView> aim_view() const;
-    [[nodiscard]] MatchView match_view() const;
     [[nodiscard]] std::vector<SolverView> solver_views() const;
 
-    Match& match_;
+    ClientMatch& match_;
     Playback& playback_;
     ShownTable shown_;
+    Placing placing_;
     StepTrail trail_;
-    CollisionMarks marks_;
     SolverOverlay solvers_;
-    std::vector<Heard> heard_;
+    StepMode step_mode_;
+    std::vector<TableSound> sounds_;
 
-    bool help_ = false;
-    bool frame_rate_ = false;
-    bool step_mode_ = false;
-    bool collision_mode_ = false;
-    bool muted_ = false;
-    bool dragging_ = false;  ///< the cue ball, by the mouse
-    bool result_announced_ = false;
-    std::optional<double> ended_at_;  ///< when the end of a practice game was seen, s
+    std::optional<double> ended_at_;  ///< when the end of the game was seen, s
     std::string status_;
     double status_until_ = 0;
     double now_ = 0;

@@ -1,6 +1,6 @@
 #include "client/desktop/app/window.hpp"
 
-#include "client/desktop/view/table_view.hpp"
+#include "client/desktop/view/layout.hpp"
 
 namespace poolhall::client {
 namespace {
@@ -12,12 +12,6 @@ namespace {
 SDL_Renderer* make_renderer(SDL_Window* window) {
     SDL_Renderer* renderer = SDL_CreateRenderer(window, -1, SDL_RENDERER_PRESENTVSYNC);
     return renderer != nullptr ? renderer : SDL_CreateRenderer(window, -1, SDL_RENDERER_SOFTWARE);
-}
-
-bool waits_for_display(SDL_Renderer* renderer) {
-    SDL_RendererInfo info;
-    return SDL_GetRendererInfo(renderer, &info) == 0 &&
-           (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0;
 }
 
 }  // namespace
@@ -44,7 +38,6 @@ Window::Window(const std::string& title, int width, int height) : title_(title) 
     SDL_SetWindowMinimumSize(window_.get(), kMinWindowWidth, kMinWindowHeight);
     renderer_.reset(make_renderer(window_.get()));
     if (!renderer_) fail("no renderer");
-    paced_by_display_ = waits_for_display(renderer_.get());
     SDL_ShowWindow(window_.get());
 }
 
@@ -59,6 +52,16 @@ SDL_FPoint Window::to_pixels(int x, int y) const {
         return static_cast<float>(at) * static_cast<float>(pixels) / static_cast<float>(points);
     };
     return {scaled(x, pixel_width, width), scaled(y, pixel_height, height)};
+}
+
+double Window::frame_time() const {
+    constexpr int kUsual = 60;  // Hz
+    constexpr int kLeast = 24;  // Hz; virtual displays name less, and mean nothing by it
+    SDL_DisplayMode mode{};
+    const int display = SDL_GetWindowDisplayIndex(window_.get());
+    const bool known = display >= 0 && SDL_GetCurrentDisplayMode(display, &mode) == 0 &&
+                       mode.refresh_rate >= kLeast;
+    return 1.0 / (known ? mode.refresh_rate : kUsual);
 }
 
 bool Window::out_of_sight() const {

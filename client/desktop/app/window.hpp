@@ -25,8 +25,8 @@ class Window {
     /// Where a position of the mouse is in the renderer's pixels (they differ on HiDPI displays).
     [[nodiscard]] SDL_FPoint to_pixels(int x, int y) const;
 
-    /// Present waits for the display; else the caller has to pace itself.
-    [[nodiscard]] bool paced_by_display() const { return paced_by_display_; }
+    /// From one picture of the display that it is on to the next, s; 1/60 where that is not known.
+    [[nodiscard]] double frame_time() const;
 
     /// Nobody can see it: minimised or hidden.
     [[nodiscard]] bool out_of_sight() const;
@@ -49,7 +49,6 @@ class Window {
     Sdl sdl_;
     std::unique_ptr<SDL_Window, Destroy> window_;
     std::unique_ptr<SDL_Renderer, Destroy> renderer_;
-    bool paced_by_display_ = false;
     std::string title_;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "client/play/token_keeper.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,21 +16,17 @@ namespace poolhall::client {
 /// They lie in `folder`/tokens.json (mode 0600). A token in use is claimed by a lock that the
 /// system drops when the process ends, however it ends; so two clients on one machine never come
 /// back to the same seat. When the folder cannot be written, tokens last as long as the process.
-class TokenStore {
+class TokenStore : public TokenKeeper {
   public:
     explicit TokenStore(const std::filesystem::path& folder);
-    ~TokenStore();
-    TokenStore(const TokenStore&) = delete;
-    TokenStore& operator=(const TokenStore&) = delete;
+    ~TokenStore() override;
 
     static constexpr std::size_t kMaxTokens = 64;  ///< older ones are forgotten
 
-    /// The newest token for the match that no other process uses; it is this one's from now on.
-    [[nodiscard]] std::optional<std::string> claim(std::string_view server, std::string_view code);
-    /// Keeps a token that the server gave, and claims it.
-    void keep(std::string_view server, std::string_view code, std::string_view token);
-    /// The server does not know it any more.
-    void forget(std::string_view token);
+    [[nodiscard]] std::optional<std::string> claim(std::string_view server,
+                                                   std::string_view code) override;
+    void keep(std::string_view server, std::string_view code, std::string_view token) override;
+    void forget(std::string_view token) override;
 
   private:
     struct Entry {

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "client/desktop/render/canvas.hpp"
+#include "client/text/text_line.hpp"
 
-#include <SDL2/SDL_ttf.h>
-
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace poolhall::client {
 
@@ -26,14 +27,16 @@ struct TextPlace {
     float x = 0;
     float y = 0;
     Align align = Align::kLeft;
-    float max_width = 1e6F;  ///< px; longer text ends in an ellipsis
+    float max_width = kEndless;  ///< px; longer text ends in an ellipsis
+
+    static constexpr float kEndless = 16384;  ///< px; no texture is wider
 };
 
-/// Lines of text in DejaVu Sans. Any bytes may be given as text.
+/// Lines of text (TextLine) on the canvas. Any bytes may be given as text.
 class Text {
   public:
-    /// Throws std::runtime_error, one line, where the fonts cannot be found. The canvas must
-    /// outlive the text.
+    /// Throws std::runtime_error, one line, where there is no font. The canvas must outlive the
+    /// text.
     explicit Text(Canvas& canvas);
 
     /// Draws one line and returns its width, px.
@@ -42,54 +45,38 @@ class Text {
     /// The device has lost its textures.
     void reset();
 
-    /// Lines kept as textures; bounded by kMaxLines.
+    /// Lines kept; bounded by kMaxLines.
     [[nodiscard]] std::size_t cached_lines() const { return lines_.size(); }
 
     static constexpr std::size_t kMaxLines = 256;
-    static constexpr std::size_t kMaxFonts = 24;
 
   private:
-    struct Library {
-        Library();
-        ~Library();
-        Library(const Library&) = delete;
-        Library& operator=(const Library&) = delete;
-    };
-
-    struct CloseFont {
-        void operator()(TTF_Font* font) const { TTF_CloseFont(font); }
-    };
-
-    struct FontKey {
-        bool bold = false;
-        int size = 0;  ///< px
-        auto operator<=>(const FontKey&) const = default;
-    };
-
-    struct LineKey {
-        FontKey font;
+    struct Key {
         std::string text;
-        auto operator<=>(const LineKey&) const = default;
+        int size = 0;   ///< px
+        int limit = 0;  ///< px that it may be wide
+        /// Red, green and blue: letters have them already in the texture, so emoji keep theirs.
+        std::array<Uint8, 3> colour{};
+        bool bold = false;
+        auto operator<=>(const Key&) const = default;
     };
 
-    /// Null texture: nothing to see.
     struct Line {
-        TexturePtr texture;
-        float width = 0;
-        float height = 0;
+        explicit Line(TextLine of) : set(std::move(of)) {}
+
+        TextLine set;
+        float width = static_cast<float>(std::ceil(set.width()));
+        TexturePtr texture;  ///< of what is inked, from the first time that it is drawn
+        SDL_FRect inked{};   ///< seen from the left end of the line's middle, px
         std::uint64_t last_use = 0;
     };
 
-    [[nodiscard]] TTF_Font* font(const FontKey& key);
-    [[nodiscard]] Line& line(const LineKey& key);
-    [[nodiscard]] Line render(const LineKey& key);
+    [[nodiscard]] Line& line(std::string_view text, const TextStyle& style, float limit);
+    void paint(Line& line, SDL_Color colour);
     void drop_oldest_line();
 
-    Library library_;
     Canvas& canvas_;
-    std::string folder_;
-    std::map<FontKey, std::unique_ptr<TTF_Font, CloseFont>> fonts_;
-    std::map<LineKey, Line> lines_;
+    std::map<Key, Line> lines_;
     std::uint64_t uses_ = 0;
 };
 

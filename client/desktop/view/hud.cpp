@@ -171,7 +171,8 @@ std::string connection_line(const ViewState& state) {
     if (!state.physics.empty()) line += std::string(kBetween) + state.physics;
     if (state.frames_per_second) {
         std::snprintf(number.data(), number.size(), "%.0f fps", *state.frames_per_second);
-        line += std::string(kBetween) + number.data();
+        line += kBetween;
+        line += *state.frames_per_second > 0 ? number.data() : "at rest";
     }
     return line;
 }

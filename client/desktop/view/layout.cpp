@@ -28,13 +28,18 @@ Vec2 Layout::to_table(SDL_FPoint pixel) const {
             static_cast<double>(centre.y - pixel.y) / s};
 }
 
+float ui_scale(int width, int height) {
+    return std::max(std::min(static_cast<float>(width) / 1280, static_cast<float>(height) / 720),
+                    kMinUi);
+}
+
 Layout layout_of(const Table& table, double ball_radius, int width, int height) {
     Layout layout;
     layout.width = width;
     layout.height = height;
     const auto w = static_cast<float>(width);
     const auto h = static_cast<float>(height);
-    layout.ui = std::max(std::min(w / 1280, h / 720), kMinUi);
+    layout.ui = ui_scale(width, height);
     layout.top = {0, 0, w, kTopBar * layout.ui};
     layout.bottom = {0, h - kBottomLines * layout.ui, w, kBottomLines * layout.ui};
 

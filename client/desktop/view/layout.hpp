@@ -6,6 +6,10 @@
 
 namespace poolhall::client {
 
+/// Smallest window in which everything can be read, in points.
+inline constexpr int kMinWindowWidth = 480;
+inline constexpr int kMinWindowHeight = 320;
+
 /// Where everything is in an output of a given size, in pixels with y downwards. The table keeps
 /// its proportions; what is left of the output stays empty.
 struct Layout {
@@ -31,6 +35,9 @@ struct Layout {
 /// Widths of the frame's parts, in ball radii.
 inline constexpr float kCushionWidth = 1.8F;
 inline constexpr float kWoodWidth = 2.7F;
+
+/// Of text and icons on an output of that size.
+[[nodiscard]] float ui_scale(int width, int height);
 
 /// `ball_radius` in metres. Any size is taken; below 64 px nothing can be made out.
 [[nodiscard]] Layout layout_of(const Table& table, double ball_radius, int width, int height);

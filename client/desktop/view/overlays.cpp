@@ -82,12 +82,23 @@ float hair(const Layout& layout) {
     return std::max(1.2F, 0.085F * layout.ball);
 }
 
-void add_base_line(Mesh& mesh, const Layout& layout, double x) {
-    const SDL_FPoint top = layout.to_pixels({x, 0});
-    const float inset = 0.15F * layout.ball;
-    add_line(mesh, {top.x, layout.cloth.y + inset},
-             {top.x, layout.cloth.y + layout.cloth.h - inset},
-             {hair(layout), faded(kWhite, 0.42F)});
+void add_placement(Mesh& mesh, const Layout& layout, const Region& region) {
+    const Stroke stroke{hair(layout), faded(kWhite, 0.42F)};
+    // Nearly to where the ball's edge comes, along whatever length the region has.
+    const float reach = 0.85F * layout.ball;
+    const float along = region.low.x < region.high.x ? reach : 0;
+    const float across = region.low.y < region.high.y ? reach : 0;
+    const SDL_FPoint low = layout.to_pixels(region.low);
+    const SDL_FPoint high = layout.to_pixels(region.high);
+    const float left = low.x - along;
+    const float right = high.x + along;
+    const float top = high.y - across;
+    const float bottom = low.y + across;
+    if (along > 0) add_line(mesh, {left, bottom}, {right, bottom}, stroke);
+    if (across > 0) add_line(mesh, {left, top}, {left, bottom}, stroke);
+    if (along == 0 || across == 0) return;
+    add_line(mesh, {left, top}, {right, top}, stroke);
+    add_line(mesh, {right, top}, {right, bottom}, stroke);
 }
 
 void add_ball_shadow(Mesh& mesh, const Layout& layout, Vec2 r) {

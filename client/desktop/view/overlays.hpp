@@ -10,7 +10,8 @@ namespace poolhall::client {
 /// Width of a thin line, px: visible on a small window, and not fat on a large one.
 [[nodiscard]] float hair(const Layout& layout);
 
-void add_base_line(Mesh& mesh, const Layout& layout, double x);
+/// Where the cue ball in hand may be put: a line, or the outline of a rectangle.
+void add_placement(Mesh& mesh, const Layout& layout, const Region& region);
 void add_ball_shadow(Mesh& mesh, const Layout& layout, Vec2 r);
 void add_trail(Mesh& mesh, const Layout& layout, const ViewState& state);
 /// Arrow, ghost ball and predicted paths.

@@ -93,15 +93,18 @@ struct HelpGrid {
     float row;
     float keys;
     float font;
+    float rounding;
 };
 
-HelpGrid help_grid(Text& text, const Layout& layout) {
-    const auto w = static_cast<float>(layout.width);
-    const auto h = static_cast<float>(layout.height);
+HelpGrid help_grid(Text& text, const Canvas& canvas) {
+    const auto w = static_cast<float>(canvas.width());
+    const auto h = static_cast<float>(canvas.height());
+    const float ui = ui_scale(canvas.width(), canvas.height());
     constexpr float kRows = static_cast<float>(kKeyTable.size()) + 3.2F;  // with title, margins
     HelpGrid grid{};
-    grid.row = std::min(36 * layout.ui, (h - 8) / kRows);
-    grid.font = std::max(std::min(16 * layout.ui, 0.62F * grid.row), 9.0F);
+    grid.row = std::min(36 * ui, (h - 8) / kRows);
+    grid.font = std::max(std::min(16 * ui, 0.62F * grid.row), 9.0F);
+    grid.rounding = std::min(16 * ui, grid.row);
     float actions = 0;
     for (const KeyRow& key : kKeyTable) {
         grid.keys = std::max(grid.keys, text.width(key.key, {grid.font, kBright, true}));
@@ -139,11 +142,11 @@ void draw_banner(Canvas& canvas, Text& text, const Layout& layout, const Banner&
               {left, first + 0.75F * title + 0.75F * subtitle, Align::kLeft, room});
 }
 
-void draw_help(Canvas& canvas, Text& text, const Layout& layout) {
-    const HelpGrid grid = help_grid(text, layout);
+void draw_help(Canvas& canvas, Text& text) {
+    const HelpGrid grid = help_grid(text, canvas);
     canvas.veil({0, 0, 0, 120});
     Mesh& shapes = canvas.shapes();
-    add_panel(shapes, grid.box, std::min(16 * layout.ui, grid.row), {92, 100, 116, 255});
+    add_panel(shapes, grid.box, grid.rounding, {92, 100, 116, 255});
     const TextStyle key_style{grid.font, kBright, true};
     const float left = grid.box.x + 1.2F * grid.row;
     const float title = grid.box.y + 1.25F * grid.row;

@@ -10,6 +10,6 @@ namespace poolhall::client {
 /// The large message; won, lost and the rest differ in symbol as well as in colour.
 void draw_banner(Canvas& canvas, Text& text, const Layout& layout, const Banner& banner);
 /// kKeyTable.
-void draw_help(Canvas& canvas, Text& text, const Layout& layout);
+void draw_help(Canvas& canvas, Text& text);
 
 }  // namespace poolhall::client

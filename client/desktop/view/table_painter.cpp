@@ -1,19 +1,21 @@
 #include "client/desktop/view/table_painter.hpp"
 
+#include "client/desktop/view/cushions.hpp"
 #include "client/desktop/view/materials.hpp"
+#include "client/desktop/view/pocket_holes.hpp"
 #include "shared/game/end_game.hpp"
-#include "shared/table/pockets.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace poolhall::client {
 namespace {
 
-constexpr float kCornerHole = 1.9F;  // ball radii, as all lengths here
-constexpr float kCentreHole = 1.55F;
-constexpr float kRim = 0.5F;
+constexpr float kRim = 0.5F;         // ball radii, as all lengths here
+constexpr float kLeastWood = 0.85F;  // between the back of a pocket and the frame's edge
+constexpr double kFootSpot = 0.25;   // of a pool table's length, from its middle
 constexpr float kShadow = 3;
 constexpr float kOuterRounding = 2.4F;
 constexpr Rgb kLeather{0.150F, 0.115F, 0.095F};
@@ -21,20 +23,27 @@ constexpr Rgb kPit{0.010F, 0.012F, 0.014F};
 constexpr Rgb kBrass{0.66F, 0.50F, 0.25F};
 constexpr Rgb kPearl{0.93F, 0.90F, 0.80F};
 
-struct Point {
-    float x;
-    float y;
-};
+using Point = SDL_FPoint;
 
-bool is_corner(Pocket pocket) {
-    return pocket != Pocket::kNorth && pocket != Pocket::kSouth;
-}
-
-struct Hole {
+struct DrawnHole {
     Point at;
     float radius;
-    bool corner;
 };
+
+std::optional<double> foot_spot_of(const Table& table) {
+    if (table.pockets == PocketModel::kEndGame) return end_game::kFootSpotX;
+    if (table.pockets == PocketModel::kPool) return kFootSpot * table.length;
+    return std::nullopt;
+}
+
+double radius_of_ball(const Layout& layout) {
+    return static_cast<double>(layout.ball) / static_cast<double>(layout.scale);
+}
+
+float reach_beyond_noses(const Table& table) {
+    if (!table.rails) return 1e6F;
+    return table.pockets == PocketModel::kCircles ? 0 : kCushionWidth + kWoodWidth - kLeastWood;
+}
 
 class Painter {
   public:
@@ -44,8 +53,9 @@ class Painter {
 
   private:
     struct Near {
-        const Hole* hole = nullptr;
+        const DrawnHole* hole = nullptr;
         float distance = 1e6F;  // from its centre
+        float beyond = 1e6F;    // its edge
     };
 
     [[nodiscard]] float cover(float distance) const { return saturate(0.5F - distance / pixel_); }
@@ -66,8 +76,8 @@ class Painter {
     [[nodiscard]] Rgb frame(Point p) const;
     [[nodiscard]] float sight(Point p) const;
     [[nodiscard]] Rgb bed(Point p, int pixel_x, int pixel_y) const;
-    [[nodiscard]] Rgb cushion(Point p, int pixel_x, int pixel_y) const;
-    [[nodiscard]] float cushion_cover(Point p) const;
+    [[nodiscard]] Rgb cushion(Point p, const Cushions::Place& place, int pixel_x,
+                              int pixel_y) const;
     [[nodiscard]] float lamp(Point p) const;
     [[nodiscard]] Rgb with_pocket(Rgb below, Point p) const;
 
@@ -76,9 +86,11 @@ class Painter {
     Point outer_;  // to the frame's edge
     float pixel_;  // a pixel's size
     bool rails_;
+    Cushions cushions_;
+    PocketModel model_;
     std::optional<Point> foot_spot_;
-    std::array<Hole, kPocketCount> holes_{};
-    int hole_count_ = 0;
+    std::vector<DrawnHole> holes_;
+    float back_;  // how far beyond the noses a hole reaches at most
 };
 
 Painter::Painter(const Table& table, const Layout& layout)
@@ -86,26 +98,26 @@ Painter::Painter(const Table& table, const Layout& layout)
       half_{layout.cloth.w / 2 / layout.ball, layout.cloth.h / 2 / layout.ball},
       outer_{layout.table.w / 2 / layout.ball, layout.table.h / 2 / layout.ball},
       pixel_(1 / layout.ball),
-      rails_(table.rails) {
-    if (table.pockets != PocketModel::kEndGame) return;
-    const double radius = static_cast<double>(layout.ball) / static_cast<double>(layout.scale);
-    foot_spot_ = Point{static_cast<float>(end_game::kFootSpotX / radius), 0};
-    for (int i = 0; i < kPocketCount; ++i) {
-        const auto pocket = static_cast<Pocket>(i);
-        const Vec2 mouth = EndGamePocketMap::mouth(table, pocket);
-        const Point at{static_cast<float>(mouth.x / radius), static_cast<float>(mouth.y / radius)};
-        holes_[static_cast<std::size_t>(hole_count_++)] = {at, hole_radius(pocket),
-                                                           is_corner(pocket)};
-    }
+      rails_(table.rails),
+      cushions_(table, radius_of_ball(layout)),
+      model_(table.pockets),
+      back_(reach_beyond_noses(table)) {
+    const double radius = radius_of_ball(layout);
+    const auto in_radii = [radius](double metres) { return static_cast<float>(metres / radius); };
+    if (const auto spot = foot_spot_of(table)) foot_spot_ = Point{in_radii(*spot), 0};
+    for (const PocketHole& hole : pocket_holes(table, radius))
+        holes_.push_back(
+            {{in_radii(hole.centre.x), in_radii(hole.centre.y)}, in_radii(hole.radius)});
 }
 
 Painter::Near Painter::nearest_hole(Point p) const {
     Near nearest;
-    for (int i = 0; i < hole_count_; ++i) {
-        const Hole& hole = holes_[static_cast<std::size_t>(i)];
+    for (const DrawnHole& hole : holes_) {
         const float distance = std::hypot(p.x - hole.at.x, p.y - hole.at.y);
-        if (distance < nearest.distance) nearest = {&hole, distance};
+        const float beyond = distance - hole.radius;
+        if (beyond < nearest.beyond) nearest = {&hole, distance, beyond};
     }
+    nearest.beyond = std::max(nearest.beyond, beyond_nose(p) - back_);
     return nearest;
 }
 
@@ -126,7 +138,8 @@ float Painter::sight(Point p) const {
     const float along = short_side ? p.y : p.x;
     const float spacing = short_side ? half_.y / 2 : half_.x / 4;
     const float nearest = spacing * std::round(along / spacing);
-    const bool at_pocket = !short_side && hole_count_ > 0 && std::abs(nearest) < spacing / 2;
+    const bool side_pockets = model_ == PocketModel::kEndGame || model_ == PocketModel::kPool;
+    const bool at_pocket = !short_side && side_pockets && std::abs(nearest) < spacing / 2;
     if (at_pocket || std::abs(nearest) > (short_side ? half_.y : half_.x) - spacing / 2) return 0;
     const float across = beyond_nose(p) - kCushionWidth - kWoodWidth / 2;
     return cover((1.7F * std::abs(along - nearest) + std::abs(across) - 0.42F) * 0.55F);
@@ -177,37 +190,24 @@ Rgb Painter::bed(Point p, int pixel_x, int pixel_y) const {
     return colour;
 }
 
-// Cut at the pockets: the mouth is wider at the nose than at the back.
-float Painter::cushion_cover(Point p) const {
-    const float depth = beyond_nose(p);
-    float covered = cover(-depth) * cover(depth - kCushionWidth);
-    const Near near = nearest_hole(p);
-    if (near.hole == nullptr || covered == 0) return covered;
-    const float along =
-        short_rail(p) ? std::abs(p.y - near.hole->at.y) : std::abs(p.x - near.hole->at.x);
-    const float opening = near.hole->corner ? 2.55F - 0.75F * depth : 2.0F - 0.35F * depth;
-    return covered * cover(opening - along);
-}
-
-Rgb Painter::cushion(Point p, int pixel_x, int pixel_y) const {
-    const float depth = beyond_nose(p) / kCushionWidth;
-    const float lit_side = short_rail(p) ? (p.x > 0 ? 0.5F : -0.5F) : (p.y < 0 ? 1.0F : -1.0F);
-    // From the nose outwards: an edge that catches the light, a slope, the flat top.
+Rgb Painter::cushion(Point p, const Cushions::Place& place, int pixel_x, int pixel_y) const {
+    const float depth = -place.outside / kCushionWidth;
+    const float lit_side = place.normal.y - 0.5F * place.normal.x;
+    // From the face inwards: an edge that catches the light, a slope, the flat top.
     const float slope = smooth_step(0.62F, 0.10F, depth);
     const float nose = smooth_step(0.0F, 0.05F, depth) * smooth_step(0.20F, 0.06F, depth);
-    const float back = smooth_step(0.86F, 1.0F, depth);
+    const float back = smooth_step(0.86F, 1.0F, beyond_nose(p) / kCushionWidth);
     const float light = 0.80F + 0.17F * lit_side * slope + 0.26F * nose - 0.35F * back;
     return cloth(pixel_x, pixel_y, lamp(p) * light);
 }
 
 Rgb Painter::with_pocket(Rgb below, Point p) const {
-    const auto [hole, distance] = nearest_hole(p);
-    if (hole == nullptr || distance > hole->radius + 2) return below;
+    const auto [hole, distance, beyond] = nearest_hole(p);
+    if (hole == nullptr || beyond > 2) return below;
     const Point out{(p.x - hole->at.x) / std::max(distance, 0.01F),
                     (p.y - hole->at.y) / std::max(distance, 0.01F)};
     const float facing_light =
         0.62F * out.y - 0.5F * out.x;  // of the way out; the wall inside faces back
-    const float beyond = distance - hole->radius;
 
     // The cloth bends down into the hole.
     Rgb colour = (1 - 0.55F * smooth_step(0.45F, 0.0F, beyond)) * below;
@@ -234,16 +234,14 @@ Rgb Painter::colour(int pixel_x, int pixel_y) const {
     Rgb colour = depth < kCushionWidth ? bed(p, pixel_x, pixel_y) : frame(p);
     if (depth > -pixel_ && depth < kCushionWidth + pixel_) {
         const Rgb behind = mix(colour, frame(p), cover(kCushionWidth - depth));
-        colour = mix(behind, cushion(p, pixel_x, pixel_y), cushion_cover(p));
+        const Cushions::Place place = cushions_.at(p);
+        colour = mix(behind, cushion(p, place, pixel_x, pixel_y),
+                     cover(place.outside) * cover(depth - kCushionWidth));
     }
     return mix(room(p), with_pocket(colour, p), on_table);
 }
 
 }  // namespace
-
-float hole_radius(Pocket pocket) {
-    return is_corner(pocket) ? kCornerHole : kCentreHole;
-}
 
 SDL_Rect table_picture_rect(const Layout& layout) {
     const float margin = kShadow * layout.ball;

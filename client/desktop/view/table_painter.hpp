@@ -16,8 +16,4 @@ inline constexpr Rgb kRoom{0.082F, 0.090F, 0.106F};
 /// pixel, so it is for baking, not for each frame.
 [[nodiscard]] Image paint_table(const Table& table, const Layout& layout);
 
-/// Radius of a pocket's hole, in ball radii: its edge is about where a ball's centre is when it
-/// goes down.
-[[nodiscard]] float hole_radius(Pocket pocket);
-
 }  // namespace poolhall::client

@@ -1,7 +1,8 @@
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 #include "client/lab/accuracy/results.hpp"
 #include "client/lab/output/csv_line.hpp"
 #include "shared/physics/scene/trace.hpp"
+#include "shared/physics/simulate.hpp"
 
 #include <iomanip>
 #include <limits>
@@ -37,7 +38,7 @@ void write_csv(std::ostream& out, const AccuracyResult& result) {
     write_head(out);
     for (const EnsembleResult& ensemble : result.ensembles) {
         for (const AccuracyPoint& point : ensemble.points) {
-            const bool ticks = point.solver.kind != SolverKind::kEvent;
+            const bool ticks = has_ticks(point.solver.kind);
             CsvLine(out) << ensemble.name << ensemble.shots << quoted(ensemble.reference)
                          << compare::label(point.solver) << name(point.solver.kind)
                          << (ticks ? std::optional(point.solver.hz) : std::nullopt) << point.kernel

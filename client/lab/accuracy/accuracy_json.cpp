@@ -1,7 +1,8 @@
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 #include "client/lab/accuracy/results.hpp"
 #include "client/lab/output/result_json.hpp"
 #include "shared/physics/scene/trace.hpp"
+#include "shared/physics/simulate.hpp"
 
 namespace poolhall::lab {
 
@@ -20,7 +21,7 @@ Json json_of(const ShotCost& cost) {
 }
 
 Json json_of(const AccuracyPoint& point) {
-    const bool ticks = point.solver.kind != SolverKind::kEvent;
+    const bool ticks = has_ticks(point.solver.kind);
     return {{"solver", name(point.solver.kind)},
             {"hz", ticks ? Json(point.solver.hz) : Json()},
             {"label", label(point.solver)},

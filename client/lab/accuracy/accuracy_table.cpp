@@ -1,6 +1,6 @@
 #include "client/lab/accuracy/accuracy_table.hpp"
 
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 #include "client/compare/number_text.hpp"
 #include "client/lab/output/columns.hpp"
 

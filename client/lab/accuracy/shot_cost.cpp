@@ -42,7 +42,7 @@ double worst_tick(Scene scene, const SolverSpec& solver, const Window& busiest,
 
 double window_length(const SolverSpec& solver) {
     constexpr double kHz = kPlayoutHz;
-    return 1 / (solver.kind == SolverKind::kEvent ? kHz : std::min(kHz, solver.hz));
+    return 1 / (has_ticks(solver.kind) ? std::min(kHz, solver.hz) : kHz);
 }
 
 void note_busiest(const ShotTrace& trace, const SolverSpec& solver, std::size_t shot,

@@ -1,6 +1,6 @@
 #include "client/lab/compare/compare_command.hpp"
 
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 #include "client/files/output_file.hpp"
 #include "client/lab/compare/comparison_text.hpp"
 #include "client/lab/compare/picture.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using compare::Contest;
+using compare::Comparison;
 
 std::vector<SolverSpec> solvers_of(const CompareOptions& options) {
     if (!options.solvers.empty()) return options.solvers;
@@ -97,20 +97,20 @@ Result<Scene, std::string> scene_of(const CompareOptions& options,
     return read_scene(*in, solvers);
 }
 
-void print(std::ostream& out, const Scene& scene, const Contest& contest) {
-    print_events(out, scene, contest);
-    print_differences(out << '\n', scene, contest);
-    print_rest_distances(out << '\n', scene, contest);
-    print_costs(out << '\n', contest);
+void print(std::ostream& out, const Scene& scene, const Comparison& comparison) {
+    print_events(out, scene, comparison);
+    print_differences(out << '\n', scene, comparison);
+    print_rest_distances(out << '\n', scene, comparison);
+    print_costs(out << '\n', comparison);
 }
 
 Status compare_scene(const Scene& scene, const std::vector<SolverSpec>& solvers,
                      std::vector<Target>& targets, std::ostream& out, std::ostream& error) {
-    const Contest contest = compare::contest(scene, solvers);
-    print(out, scene, contest);
+    const Comparison comparison = compare::compare_solvers(scene, solvers);
+    print(out, scene, comparison);
     if (!targets.empty()) out << '\n';
     for (Target& target : targets) {
-        const auto picture = picture_of(scene, contest, target.format);
+        const auto picture = picture_of(scene, comparison, target.format);
         const std::string path = target.file->path().string();
         if (!picture) return fail(error, path + ": " + picture.error().reason);
         target.file->stream() << *picture;

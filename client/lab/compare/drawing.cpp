@@ -1,5 +1,7 @@
 #include "client/lab/compare/drawing.hpp"
 
+#include "client/text/text_line.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +10,10 @@ namespace poolhall::lab {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
+
+client::TextLine set(const std::string& text, const TextFont& font) {
+    return {text, {font.size, font.bold}};
+}
 
 }  // namespace
 
@@ -56,10 +62,8 @@ void Drawing::cross(Pixel centre, double size, const Pen& pen) {
 }
 
 void Drawing::text(const std::string& text, const TextFont& font, Pixel at) {
-    take(font);
-    cairo_move_to(cairo_.get(), at.x, at.y);
-    cairo_show_text(cairo_.get(), text.c_str());
-    cairo_new_path(cairo_.get());
+    take(font.colour);
+    set(text, font).draw(cairo_.get(), at.x, at.y);
 }
 
 void Drawing::centred_text(const std::string& text, const TextFont& font, Pixel at) {
@@ -67,10 +71,7 @@ void Drawing::centred_text(const std::string& text, const TextFont& font, Pixel 
 }
 
 double Drawing::width_of(const std::string& text, const TextFont& font) {
-    take(font);
-    cairo_text_extents_t extents{};
-    cairo_text_extents(cairo_.get(), text.c_str(), &extents);
-    return extents.x_advance;
+    return set(text, font).width();
 }
 
 void Drawing::take(const Pen& pen) {
@@ -78,13 +79,6 @@ void Drawing::take(const Pen& pen) {
     cairo_set_line_width(cairo_.get(), pen.width);
     cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(cairo_.get(), pen.dash.data(), static_cast<int>(pen.dash.size()), 0);
-}
-
-void Drawing::take(const TextFont& font) {
-    take(font.colour);
-    cairo_select_font_face(cairo_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           font.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo_.get(), font.size);
 }
 
 }  // namespace poolhall::lab

@@ -58,11 +58,10 @@ class Drawing {
     void text(const std::string& text, const TextFont& font, Pixel at);
     void centred_text(const std::string& text, const TextFont& font, Pixel at);
     /// px.
-    [[nodiscard]] double width_of(const std::string& text, const TextFont& font);
+    [[nodiscard]] static double width_of(const std::string& text, const TextFont& font);
 
   private:
     void take(const Pen& pen);
-    void take(const TextFont& font);
 
     void take(Colour colour) { cairo_set_source_rgb(cairo_.get(), colour.r, colour.g, colour.b); }
 

@@ -3,6 +3,7 @@
 #include "client/compare/number_text.hpp"
 #include "client/lab/compare/table_drawing.hpp"
 #include "client/lab/input/scene_source.hpp"
+#include "client/text/text_line.hpp"
 #include "shared/analysis/agreement.hpp"
 #include "shared/analysis/paths.hpp"
 
@@ -15,8 +16,8 @@ namespace poolhall::lab {
 
 namespace {
 
-using compare::Contender;
-using compare::Contest;
+using compare::Comparison;
+using compare::SolverRun;
 using compare::text_of_cost;
 using compare::text_of_distance;
 
@@ -66,14 +67,14 @@ void widen(Extent& extent, Vec2 r, double by) {
     extent.most = {std::max(extent.most.x, r.x + by), std::max(extent.most.y, r.y + by)};
 }
 
-/// One picture of a contest; draws in layers.
+/// One picture of a comparison; draws in layers.
 class Page {
   public:
-    Page(const Scene& scene, const Contest& contest);
+    Page(const Scene& scene, const Comparison& comparison);
 
     [[nodiscard]] double height() const {
         return kTitle + table_height_ + kMargin +
-               kLegendRow * (static_cast<double>(contest_.contenders.size()) + 2.5);
+               kLegendRow * (static_cast<double>(comparison_.runs.size()) + 2.5);
     }
 
     void draw(Drawing& drawing) const;
@@ -85,14 +86,14 @@ class Page {
     void draw_ends(Drawing& drawing, std::size_t solver) const;
     void draw_legend(Drawing& drawing) const;
     void draw_legend_row(Drawing& drawing, std::size_t solver, double y) const;
-    [[nodiscard]] std::array<std::string, 4> legend_of(const Contender& contender) const;
+    [[nodiscard]] std::array<std::string, 4> legend_of(const SolverRun& run) const;
 
     [[nodiscard]] double radius(std::size_t ball) const {
         return scale_.px_a_metre * radius_of(scene_, scene_.balls[ball]);
     }
 
     [[nodiscard]] Pen pen(std::size_t solver) const {
-        return pen_of(solver, contest_.contenders.size());
+        return pen_of(solver, comparison_.runs.size());
     }
 
     /// By solver and ball; no line for a ball that never moved.
@@ -101,17 +102,17 @@ class Page {
     }
 
     const Scene& scene_;
-    const Contest& contest_;
+    const Comparison& comparison_;
     std::vector<std::vector<std::vector<Vec2>>> outlines_;
     Extent extent_;
     TableScale scale_;
     double table_height_ = 0;  ///< px
 };
 
-std::vector<std::vector<Vec2>> outlines_of(const Scene& scene, const Contender& contender) {
+std::vector<std::vector<Vec2>> outlines_of(const Scene& scene, const SolverRun& run) {
     std::vector<std::vector<Vec2>> outlines;
-    if (contender.refusal) return outlines;
-    for (const analysis::Path& path : analysis::paths_of(scene, contender.trace)) {
+    if (run.refusal) return outlines;
+    for (const analysis::Path& path : analysis::paths_of(scene, run.trace)) {
         auto outline = analysis::outline_of(path, kFinest);
         if (outline.size() == 2 && outline[0] == outline[1]) outline.pop_back();
         outlines.push_back(std::move(outline));
@@ -119,10 +120,10 @@ std::vector<std::vector<Vec2>> outlines_of(const Scene& scene, const Contender& 
     return outlines;
 }
 
-Page::Page(const Scene& scene, const Contest& contest)
-    : scene_(scene), contest_(contest), extent_(extent_of(scene.table)) {
-    for (const Contender& contender : contest.contenders) {
-        outlines_.push_back(outlines_of(scene, contender));
+Page::Page(const Scene& scene, const Comparison& comparison)
+    : scene_(scene), comparison_(comparison), extent_(extent_of(scene.table)) {
+    for (const SolverRun& run : comparison.runs) {
+        outlines_.push_back(outlines_of(scene, run));
         for (std::size_t i = 0; i < outlines_.back().size(); ++i) {
             for (const Vec2 r : outlines_.back()[i])
                 widen(extent_, r, 2 * radius_of(scene, scene.balls[i]));
@@ -150,7 +151,7 @@ void Page::draw(Drawing& drawing) const {
 
 void Page::draw_title(Drawing& drawing) const {
     const std::string shot = scene_.id.empty() ? "The same shot" : scene_.id + ": the same shot";
-    drawing.text(shot + " by " + std::to_string(contest_.contenders.size()) + " solvers",
+    drawing.text(shot + " by " + std::to_string(comparison_.runs.size()) + " solvers",
                  {34, kInk, true}, {kMargin, 54});
 }
 
@@ -179,7 +180,7 @@ void Page::draw_paths(Drawing& drawing, std::size_t solver) const {
 void Page::draw_ends(Drawing& drawing, std::size_t solver) const {
     const Colour colour = pen(solver).colour;
     const double size = 0.6 * scale_.px_a_metre * scene_.ball.radius;
-    for (const Vec2 r : analysis::impacts_of(contest_.contenders[solver].trace))
+    for (const Vec2 r : analysis::impacts_of(comparison_.runs[solver].trace))
         drawing.cross(scale_.at(r), size, {colour, 2});
     for (std::size_t ball = 0; ball < outlines_[solver].size(); ++ball) {
         if (!moved(solver, ball)) continue;
@@ -193,12 +194,12 @@ constexpr std::array<double, 4> kLegendColumns{170, 420, 590, 920};  // px
 
 void Page::draw_legend(Drawing& drawing) const {
     double y = kTitle + table_height_ + kMargin + 10;
-    const std::string reference = compare::label(contest_.contenders[*contest_.reference].solver);
+    const std::string reference = compare::label(comparison_.runs[*comparison_.reference].solver);
     const std::array<std::string, 4> heads{"solver", "CPU time", "farthest ball at rest",
                                            "same events as " + reference};
     for (std::size_t i = 0; i < heads.size(); ++i)
         drawing.text(heads[i], {19, kDim}, {kLegendColumns[i], y});
-    for (std::size_t i = 0; i < contest_.contenders.size(); ++i)
+    for (std::size_t i = 0; i < comparison_.runs.size(); ++i)
         draw_legend_row(drawing, i, y += kLegendRow);
     drawing.text(
         "Circle: a ball at the start. Cross: a ball when it met another or a rail. Ring "
@@ -207,30 +208,30 @@ void Page::draw_legend(Drawing& drawing) const {
 }
 
 void Page::draw_legend_row(Drawing& drawing, std::size_t solver, double y) const {
-    const Contender& contender = contest_.contenders[solver];
+    const SolverRun& run = comparison_.runs[solver];
     const double middle = y - 0.35 * kLegendFont;
-    if (!contender.refusal)
+    if (!run.refusal)
         drawing.line(std::array{Pixel{kMargin, middle}, Pixel{kLegendColumns[0] - 20, middle}},
                      pen(solver));
-    const auto cells = legend_of(contender);
+    const auto cells = legend_of(run);
     for (std::size_t i = 0; i < cells.size(); ++i)
         drawing.text(cells[i], {kLegendFont, kInk, i == 0}, {kLegendColumns[i], y});
 }
 
-std::array<std::string, 4> Page::legend_of(const Contender& contender) const {
-    const std::string label = compare::label(contender.solver);
-    if (contender.refusal) return {label, "refused: " + text_of(*contender.refusal), "", ""};
-    const Contender& reference = contest_.contenders[*contest_.reference];
-    const std::string cost = text_of_cost(contender.cpu_ns);
-    if (&contender == &reference) return {label, cost, "the reference", ""};
-    const auto farthest = compare::farthest_ball(contender);
-    const std::string matching = std::to_string(contender.agreement.matching.size()) + " of " +
+std::array<std::string, 4> Page::legend_of(const SolverRun& run) const {
+    const std::string label = compare::label(run.solver);
+    if (run.refusal) return {label, "refused: " + text_of(*run.refusal), "", ""};
+    const SolverRun& reference = comparison_.runs[*comparison_.reference];
+    const std::string cost = text_of_cost(run.cpu_ns);
+    if (&run == &reference) return {label, cost, "the reference", ""};
+    const auto farthest = compare::farthest_ball(run);
+    const std::string matching = std::to_string(run.agreement.matching.size()) + " of " +
                                  std::to_string(reference.trace.events.size());
-    const bool same_verdict = analysis::is_same_verdict(reference.trace, contender.trace);
+    const bool same_verdict = analysis::is_same_verdict(reference.trace, run.trace);
     return {
         label, cost,
         text_of_distance(farthest->distance) + " (" + scene_.balls[farthest->ball.value].id + ")",
-        (contender.agreement.complete() ? "all" : "the first " + matching) +
+        (run.agreement.complete() ? "all" : "the first " + matching) +
             (same_verdict ? "" : "; other balls down")};
 }
 
@@ -241,9 +242,10 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count
 
 }  // namespace
 
-Result<std::string, PictureError> picture_of(const Scene& scene, const Contest& contest,
+Result<std::string, PictureError> picture_of(const Scene& scene, const Comparison& comparison,
                                              PictureFormat format) {
-    const Page page(scene, contest);
+    if (!client::has_fonts()) return PictureError{std::string(client::kNoFonts)};
+    const Page page(scene, comparison);
     const double height = std::ceil(page.height());
     std::string bytes;
     const std::unique_ptr<cairo_surface_t, CloseCairo> surface(

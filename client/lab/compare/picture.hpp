@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/compare/contenders.hpp"
+#include "client/compare/comparison.hpp"
 #include "shared/result.hpp"
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct PictureError {
 /// The bytes of a picture of all paths on one table, to scale: a colour, a dash and a width a
 /// solver, so that equal ways show as stripes; crosses where balls met something, and below the
 /// table what each solver costs and how far it is from the reference. The scene must be that of the
-/// contest, which must have a reference.
+/// comparison, which must have a reference.
 [[nodiscard]] Result<std::string, PictureError> picture_of(const Scene& scene,
-                                                           const compare::Contest& contest,
+                                                           const compare::Comparison& comparison,
                                                            PictureFormat format);
 
 }  // namespace poolhall::lab

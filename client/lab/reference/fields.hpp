@@ -1,6 +1,7 @@
 #pragma once
 
 #include "client/lab/reference/simulation_113.hpp"
+#include "shared/fields.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/physics/scene/trace.hpp"
 
@@ -9,117 +10,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
-// How scenes and traces are written to a tape and read from it. Each field is listed once; both
-// compilations include this, so that what one writes the other reads.
+// How scenes and traces are written to a tape and read from it, by their lists of fields; both
+// compilations include this, so that what one writes the other reads. Names of balls and circles
+// stay behind.
 namespace poolhall::lab {
-
-template <class T, class Named>
-concept Is = std::same_as<std::remove_const_t<T>, Named>;
-
-// --- fields: all that a shot depends on, and all that it gives. Names of balls and circles stay.
-// ---
-
-void list(auto& tape, Is<Vec2> auto& a) {
-    tape(a.x, a.y);
-}
-
-void list(auto& tape, Is<Vec3> auto& a) {
-    tape(a.x, a.y, a.z);
-}
-
-void list(auto& tape, Is<BallIndex> auto& index) {
-    tape(index.value);
-}
-
-void list(auto& tape, Is<BallState> auto& state) {
-    tape(state.r, state.v, state.w);
-}
-
-void list(auto& tape, Is<BallSpec> auto& ball) {
-    tape(ball.radius, ball.mass);
-}
-
-void list(auto& tape, Is<PocketCircle> auto& circle) {
-    tape(circle.centre, circle.radius);
-}
-
-void list(auto& tape, Is<Table> auto& table) {
-    tape(table.length, table.width, table.rails, table.pockets, table.circles);
-}
-
-void list(auto& tape, Is<LinearDragSpec> auto& spec) {
-    tape(spec.k, spec.stop_speed);
-}
-
-void list(auto& tape, Is<SlidingSpec> auto& spec) {
-    tape(spec.mu);
-}
-
-void list(auto& tape, Is<RollingSpec> auto& spec) {
-    tape(spec.mu);
-}
-
-void list(auto& tape, Is<SpinDecaySpec> auto& spec) {
-    tape(spec.mu);
-}
-
-void list(auto& tape, Is<FrictionBySpeed> auto& friction) {
-    tape(friction.a, friction.b, friction.c);
-}
-
-void list(auto& tape, Is<BallBallSpec> auto& spec) {
-    tape(spec.model, spec.e, spec.mu, spec.friction_by_speed, spec.min_separation);
-}
-
-void list(auto& tape, Is<RailSpec> auto& spec) {
-    tape(spec.model, spec.e, spec.mu, spec.nose_height);
-}
-
-void list(auto& tape, Is<AirborneSpec> auto& spec) {
-    tape(spec.e_slate);
-}
-
-void list(auto& tape, Is<Effects> auto& effects) {
-    tape(effects.linear_drag, effects.sliding, effects.rolling, effects.spin_decay,
-         effects.ball_ball, effects.rail, effects.airborne);
-}
-
-void list(auto& tape, Is<SceneBall> auto& ball) {
-    tape(ball.state, ball.radius, ball.mass);
-}
-
-void list(auto& tape, Is<Limits> auto& limits) {
-    tape(limits.time, limits.events);
-}
-
-void list(auto& tape, Is<Strike> auto& strike) {
-    tape(strike.ball, strike.direction, strike.speed, strike.offset, strike.elevation,
-         strike.end_mass_ratio);
-}
-
-void list(auto& tape, Is<Scene> auto& scene) {
-    tape(scene.table, scene.ball, scene.gravity, scene.effects, scene.balls, scene.limits,
-         scene.strike);
-}
-
-void list(auto& tape, Is<ShotEvent> auto& event) {
-    tape(event.t, event.kind, event.ball_count, event.rail, event.pocket, event.balls, event.before,
-         event.after);
-}
-
-void list(auto& tape, Is<FinalBall> auto& ball) {
-    tape(ball.motion, ball.pocket, ball.state);
-}
-
-void list(auto& tape, Is<ShotTrace> auto& trace) {
-    tape(trace.outcome, trace.duration, trace.ticks, trace.events, trace.balls, trace.sample_hz,
-         trace.samples);
-}
-
-// --- tapes ---------------------------------------------------------------------------------------
 
 /// Appends what it is given.
 class TapeWriter {
@@ -127,9 +25,9 @@ class TapeWriter {
     /// The tape is overwritten.
     explicit TapeWriter(poolhall_reference::Tape& tape) : tape_(tape) { tape_.clear(); }
 
-    template <class... T>
-    void operator()(const T&... fields) {
-        (write(fields), ...);
+    template <HasFieldList T>
+    void operator()(const T& object) {
+        write(object);
     }
 
   private:
@@ -162,10 +60,24 @@ class TapeWriter {
             write(x);
     }
 
-    template <class T>
-    requires std::is_class_v<T>
+    void write(const std::string& /*name*/) {}
 
-    void write(const T& x) { list(*this, x); }
+    void write(BallIndex x) { write(x.value); }
+
+    void write(const Vec2& a) {
+        write(a.x);
+        write(a.y);
+    }
+
+    void write(const Vec3& a) {
+        write(xy(a));
+        write(a.z);
+    }
+
+    template <HasFieldList T>
+    void write(const T& x) {
+        for_each_field(x, [this](const auto&, const auto& member) { write(member); });
+    }
 
     poolhall_reference::Tape& tape_;
 };
@@ -178,9 +90,9 @@ class TapeReader {
 
     TapeReader(const poolhall_reference::Tape& tape, Part part) : tape_(tape), part_(part) {}
 
-    template <class... T>
-    void operator()(T&... fields) {
-        (read(fields), ...);
+    template <HasFieldList T>
+    void operator()(T& object) {
+        read(object);
     }
 
   private:
@@ -217,10 +129,25 @@ class TapeReader {
             read(x);
     }
 
-    template <class T>
-    requires std::is_class_v<T>
+    void read(std::string& /*name*/) {}
 
-    void read(T& x) { list(*this, x); }
+    void read(BallIndex& x) { read(x.value); }
+
+    void read(Vec2& a) {
+        read(a.x);
+        read(a.y);
+    }
+
+    void read(Vec3& a) {
+        read(a.x);
+        read(a.y);
+        read(a.z);
+    }
+
+    template <HasFieldList T>
+    void read(T& x) {
+        for_each_field(x, [this](const auto&, auto& member) { read(member); });
+    }
 
     const poolhall_reference::Tape& tape_;
     Part part_;

@@ -9,6 +9,7 @@ namespace poolhall_reference {
 
 struct Simulation::Memory {
     poolhall::Workspace workspace;
+    poolhall::EventMemory event;
     poolhall::Scene scene;
     poolhall::ShotTrace trace;
 };
@@ -25,7 +26,7 @@ void Simulation::simulate(const Tape& scene, double sample_hz, Tape& trace) {
     poolhall::ShotRun run(memory_->scene, sample_hz, memory_->workspace, memory_->trace);
     // One kernel suffices: it covers every scene, and all that cover one give the same.
     const poolhall::Everything effects(memory_->scene);
-    poolhall::EventSolver<poolhall::Everything>(effects, run).solve();
+    poolhall::EventSolver<poolhall::Everything>(effects, run, memory_->event).solve();
     poolhall::lab::TapeWriter{trace}(memory_->trace);
 }
 

@@ -13,7 +13,7 @@ struct Number {
     double rest = 0;
 };
 
-/// A scene or a trace, field by field in the order of fields.hpp.
+/// A scene or a trace, field by field in the order of their lists (fields.hpp).
 using Tape = std::vector<Number>;
 
 /// Simulates shots in 113 bits; keeps its memory.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "shared/math/vec3.hpp"
-#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/contact/ball_ball.hpp"
 
 #include <cstdint>
 

@@ -3,8 +3,6 @@
 #include "shared/physics/contact/ball_ball.hpp"
 #include "shared/physics/contact/han_rail.hpp"
 #include "shared/physics/contact/mathavan_rail.hpp"
-#include "shared/physics/effects/rolling.hpp"
-#include "shared/physics/effects/sliding.hpp"
 
 #include <algorithm>
 
@@ -45,11 +43,6 @@ Real opening(const Contact& contact, const Vec3& n, std::span<const MovingBall> 
 bool share_a_ball(const Contact& c, const Contact& d) {
     return direction_on(d, c.a) != 0 ||
            (c.kind == Contact::Kind::kBalls && direction_on(d, c.b) != 0);
-}
-
-/// Cloth friction alone can press two balls together.
-bool presses(const Scene& scene) {
-    return Sliding::called_for(scene) || Rolling::called_for(scene);
 }
 
 /// The number nearest to v + change; nothing where all but rounding of the double-doubles cancels.
@@ -111,19 +104,19 @@ ContactSolver::ContactSolver() : problem_(kGroupCapacity) {
     least_openings_.reserve(kGroupCapacity);
 }
 
-void ContactSolver::prepare(const Scene& scene) {
-    rail_ = scene.effects.rail;
-    e_ball_ = BallBall::restitution(scene);
+void ContactSolver::prepare(const ImpactModels& models) {
+    rail_ = models.rail;
+    e_ball_ = restitution_of(models.ball_ball);
     e_rail_ = rail_.model == RailModel::kElastic ? 1 : rail_.e;
-    mu_table_ = Sliding::called_for(scene) ? scene.effects.sliding->mu : 0;
-    unit_mass_ = scene.ball.mass;
-    min_separation_ = presses(scene) ? scene.effects.ball_ball.min_separation : 0;
-    in_space_ = scene.effects.airborne.has_value();
-    has_friction_ = BallBall::has_friction(scene);
-    friction_ = BallFriction(scene.effects.ball_ball);
-    changes_.assign(scene.balls.size(), {});
-    slow_impacts_.assign(scene.balls.size() * scene.balls.size(), {});
-    slow_bounces_.assign(scene.balls.size(), {});
+    mu_table_ = models.mu_table;
+    unit_mass_ = models.unit_mass;
+    min_separation_ = models.pressed ? models.ball_ball.min_separation : 0;
+    in_space_ = models.in_space;
+    has_friction_ = has_friction(models.ball_ball);
+    friction_ = BallFriction(models.ball_ball);
+    changes_.assign(models.balls, {});
+    slow_impacts_.assign(models.balls * models.balls, {});
+    slow_bounces_.assign(models.balls, {});
 }
 
 Vec3 ContactSolver::normal_of(const Contact& contact, std::span<const MovingBall> balls) const {
@@ -138,8 +131,7 @@ Vec3 ContactSolver::normal_of(const Contact& contact, std::span<const MovingBall
 }
 
 bool ContactSolver::is_group_member(const Contact& contact) const {
-    return contact.kind == Contact::Kind::kBalls || rail_.model == RailModel::kElastic ||
-           rail_.model == RailModel::kRestitution;
+    return contact.kind == Contact::Kind::kBalls || !has_nose(rail_.model);
 }
 
 Real ContactSolver::restitution(const Contact& contact) const {
@@ -173,7 +165,7 @@ void ContactSolver::bounce(const Contact& contact, MovingBall& ball) {
 }
 
 void ContactSolver::reflect(const Contact& contact, MovingBall& ball) const {
-    if (rail_.model == RailModel::kElastic || rail_.model == RailModel::kRestitution) {
+    if (!has_nose(rail_.model)) {
         // Along an axis the other component must keep its bits.
         if (contact.normal.y == 0) {
             ball.v.x = -e_rail_ * ball.v.x;

@@ -2,8 +2,9 @@
 
 #include "shared/math/complementarity.hpp"
 #include "shared/physics/contact/ball_friction.hpp"
+#include "shared/physics/contact/rail_spec.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
-#include "shared/physics/scene/scene.hpp"
+#include "shared/table/table.hpp"
 
 #include <cstdint>
 #include <span>
@@ -60,6 +61,17 @@ class SlowImpacts {
     std::uint8_t count_ = 0;
 };
 
+/// What impacts depend on besides the balls.
+struct ImpactModels {
+    BallBallSpec ball_ball;
+    RailSpec rail;
+    Real mu_table = 0;      ///< friction of the cloth on a ball that slips, 0 if none
+    Real unit_mass = 1;     ///< the mass of most balls, kg
+    bool pressed = false;   ///< friction of the cloth can press two balls together
+    bool in_space = false;  ///< balls may be at different heights
+    std::size_t balls = 0;  ///< how many there are
+};
+
 /// Changes the velocities of balls whose contacts fall in the same instant, by the models that the
 /// scene names.
 ///
@@ -73,8 +85,8 @@ class ContactSolver {
   public:
     ContactSolver();
 
-    /// Takes the models of the scene; keeps its memory.
-    void prepare(const Scene& scene);
+    /// Begins a shot with these models; keeps its memory.
+    void prepare(const ImpactModels& models);
 
     /// False if it does not come to an end (never seen).
     [[nodiscard]] bool resolve(std::span<const Contact> contacts, std::span<MovingBall> balls);

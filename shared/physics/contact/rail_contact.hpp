@@ -5,8 +5,8 @@
 namespace poolhall {
 
 /// What an impact on a rail depends on besides the ball's motion. The nose must touch the ball on
-/// its side, 0 < nose_height < 2 radius, and 0 <= e <= 1, 0 <= mu, mu_table: Scene's check sees to
-/// it. The models of rails have no effect on a ball that does not approach, and leave v.z alone.
+/// its side, 0 < nose_height < 2 radius, and 0 <= e <= 1, 0 <= mu, mu_table: the scene's check sees
+/// to it. The models of rails have no effect on a ball that does not approach, and leave v.z alone.
 struct RailContact {
     Vec2 normal;           ///< unit, in the plane, from the table into the rail
     Real radius = 0;       ///< m

@@ -1,12 +1,38 @@
 #pragma once
 
-#include "shared/physics/effects/sliding.hpp"
+#include "shared/fields.hpp"
+#include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
-#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/motion/slip.hpp"
+#include "shared/table/bounds.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 
 namespace poolhall {
+
+/// What a scene says of it.
+struct AirborneSpec {
+    Real e_slate = 0.5;  ///< coefficient of restitution of ball and slate, 0 to 1
+
+    static constexpr auto field_list() {
+        return std::tuple{fields::of("e_slate", &AirborneSpec::e_slate, kShares).or_default()};
+    }
+
+    friend constexpr bool operator==(const AirborneSpec&, const AirborneSpec&) = default;
+};
+
+/// Its place among the effects of a scene.
+struct AirbornePart {
+    std::optional<AirborneSpec> airborne;
+
+    static constexpr auto part_field() {
+        return fields::of("airborne", &AirbornePart::airborne).hashed_if_absent();
+    }
+
+    friend constexpr bool operator==(const AirbornePart&, const AirbornePart&) = default;
+};
 
 /// Balls that leave the slate: jump shots. In the air there is only gravity; on the slate the ball
 /// bounces with restitution e_slate, and friction acts on its slip, at most mu times the impulse
@@ -14,14 +40,16 @@ namespace poolhall {
 /// impulse of a sphere on a plane, as at the rails; Alciatore, TP B.10 (jump shots).
 class Airborne {
   public:
-    explicit Airborne(const Scene& scene)
+    using Part = AirbornePart;
+
+    explicit Airborne(const SceneLike auto& scene)
         : e_(called_for(scene) ? scene.effects.airborne->e_slate : 0),
           gravity_(scene.gravity),
-          mu_(Sliding::called_for(scene) ? scene.effects.sliding->mu : 0),
+          mu_(slip_friction(scene)),
           rail_height_(scene.effects.rail.nose_height),
           active_(called_for(scene)) {}
 
-    [[nodiscard]] static bool called_for(const Scene& scene) {
+    [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.effects.airborne.has_value();
     }
 
@@ -45,7 +73,7 @@ class Airborne {
     }
 
     /// A step of dt (s) of its velocity. True where the ball bounces; it is not pulled down then.
-    [[nodiscard]] bool kick(MovingBall& ball, Real dt) const {
+    [[nodiscard]] bool step_flight(MovingBall& ball, Real dt) const {
         if (ball.height <= 0 && ball.climb < 0) {
             ball.height = 0;
             // A flight of whole ticks ends as fast as it began and up to a tick's fall more: with
@@ -63,11 +91,11 @@ class Airborne {
         const Real impact = -ball.climb;
         const Real rebound = e_ * impact;
         ball.climb = rebound < kLeastRebound ? 0 : rebound;
-        const Vec2 slip = Sliding::slip(ball);
+        const Vec2 slip = slip_of(ball);
         const Real speed = norm(slip);
         if (speed == 0) return;
         const Real friction = std::min(mu_ * (impact + ball.climb), 2 * speed / 7);
-        Sliding::rub(ball, (friction / speed) * slip);
+        rub(ball, (friction / speed) * slip);
     }
 
   private:

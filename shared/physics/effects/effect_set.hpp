@@ -1,27 +1,23 @@
 #pragma once
 
-#include "shared/physics/motion/moving_ball.hpp"
-#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/effects/scene_like.hpp"
+#include "shared/physics/motion/cloth_hooks.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <tuple>
 #include <type_traits>
 
 namespace poolhall {
 
-/// A force on a ball that moves: push(ball, dt) changes its velocity and spin for a step of dt s,
-/// after cloth and drag. It has no closed form, so only the stepping solvers take it.
-template <class Effect>
-concept ForceEffect = requires(const Effect& effect, MovingBall& ball) {
-    effect.push(ball, 0.0);
-};
-
-/// A set of effects chosen at compile time. An effect is a class that is made from a Scene, says
-/// `called_for(scene)`, and has the hooks that the solvers ask for with `if constexpr
-/// (Set::template kHas<Effect>)`; one that is not in the set leaves no instruction behind.
+/// A set of effects chosen at compile time. An effect is a class that is made from a scene, says
+/// `called_for(scene)`, and has some of the hooks of cloth_hooks.hpp and table_hooks.hpp; one that
+/// is not in the set leaves no instruction behind.
 template <class... Effect>
 class EffectSet {
   public:
-    explicit EffectSet(const Scene& scene) : effects_(Effect(scene)...) {}
+    explicit EffectSet(const SceneLike auto& scene) : effects_(Effect(scene)...) {}
 
     template <class Wanted>
     static constexpr bool kHas = (std::is_same_v<Wanted, Effect> || ...);
@@ -29,6 +25,19 @@ class EffectSet {
     template <class Wanted>
     [[nodiscard]] const Wanted& effect() const {
         return std::get<Wanted>(effects_);
+    }
+
+    /// Whether an effect of the set has the hook, as hooks::Slip.
+    template <template <class> class Hook>
+    static constexpr bool kHook = (Hook<Effect>::value || ...);
+
+    /// The one effect that has it.
+    template <template <class> class Hook>
+    [[nodiscard]] const auto& hook() const {
+        constexpr std::array<bool, sizeof...(Effect)> kHave{Hook<Effect>::value...};
+        static_assert(std::count(kHave.begin(), kHave.end(), true) == 1);
+        constexpr auto kPlace = std::find(kHave.begin(), kHave.end(), true) - kHave.begin();
+        return std::get<static_cast<std::size_t>(kPlace)>(effects_);
     }
 
     /// Calls use(effect) for those effects that `use` accepts, in their order.
@@ -39,12 +48,12 @@ class EffectSet {
 
     /// True if every effect of `All` (a tuple) that the scene calls for is in the set.
     template <class All>
-    [[nodiscard]] static bool covers(const Scene& scene) {
+    [[nodiscard]] static bool covers(const SceneLike auto& scene) {
         return covers(scene, std::type_identity<All>{});
     }
 
     /// True if the scene calls for a force of the set.
-    [[nodiscard]] static bool calls_for_force([[maybe_unused]] const Scene& scene) {
+    [[nodiscard]] static bool calls_for_force([[maybe_unused]] const SceneLike auto& scene) {
         return ((ForceEffect<Effect> && Effect::called_for(scene)) || ...);
     }
 
@@ -55,7 +64,7 @@ class EffectSet {
     }
 
     template <class... Any>
-    static bool covers(const Scene& scene, std::type_identity<std::tuple<Any...>>) {
+    static bool covers(const SceneLike auto& scene, std::type_identity<std::tuple<Any...>>) {
         return ((kHas<Any> || !Any::called_for(scene)) && ...);
     }
 
@@ -73,12 +82,5 @@ struct SetOfTuple<std::tuple<Effect...>> {
 /// The set of the effects of a tuple.
 template <class Effects>
 using SetOf = typename SetOfTuple<Effects>::Type;
-
-/// An effect that takes balls that come to a place: first_capture(r, v, time) and at(r).
-template <class Effect>
-concept PocketEffect = requires(const Effect& effect, Vec2 r) {
-    effect.first_capture(r, r, 0.0);
-    effect.at(r);
-};
 
 }  // namespace poolhall

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/arc.hpp"
-#include "shared/physics/scene/scene.hpp"
 #include "shared/table/pockets.hpp"
 
 namespace poolhall {
@@ -9,10 +9,10 @@ namespace poolhall {
 /// The original game's pockets as an effect of a scene.
 class EndGamePockets {
   public:
-    explicit EndGamePockets(const Scene& scene)
+    explicit EndGamePockets(const SceneLike auto& scene)
         : map_(scene.table, scene.ball.radius), active_(called_for(scene)) {}
 
-    [[nodiscard]] static bool called_for(const Scene& scene) {
+    [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.table.pockets == PocketModel::kEndGame;
     }
 

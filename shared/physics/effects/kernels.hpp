@@ -1,24 +1,12 @@
 #pragma once
 
-#include "shared/physics/effects/airborne.hpp"
+#include "shared/physics/effects/all_effects.hpp"
 #include "shared/physics/effects/effect_set.hpp"
-#include "shared/physics/effects/end_game_pockets.hpp"
-#include "shared/physics/effects/linear_drag.hpp"
-#include "shared/physics/effects/pocket_circles.hpp"
-#include "shared/physics/effects/pool_mouths.hpp"
-#include "shared/physics/effects/rails.hpp"
-#include "shared/physics/effects/rolling.hpp"
-#include "shared/physics/effects/sliding.hpp"
-#include "shared/physics/effects/spin_decay.hpp"
 
 #include <string_view>
 #include <tuple>
 
 namespace poolhall {
-
-/// Every effect that there is. A new one is one file and one line here; README.md says more.
-using AllEffects = std::tuple<LinearDrag, Sliding, Rolling, SpinDecay, Rails, EndGamePockets,
-                              PocketCircles, PoolMouths, Airborne>;
 
 // The closed list of kernels, cheapest first; the first that covers a scene simulates it. Models of
 // impacts (ball_ball, rail) are chosen at each impact: that costs a branch in what is rare, and no

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "shared/physics/effects/circle_captures.hpp"
+#include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
-#include "shared/physics/scene/scene.hpp"
 #include "shared/physics/search/box.hpp"
+#include "shared/physics/search/circle_captures.hpp"
 #include "shared/table/pockets.hpp"
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace poolhall {
 /// comes within the circle's radius of the circle's centre. The scene outlives the effect.
 class PocketCircles {
   public:
-    explicit PocketCircles(const Scene& scene) : circles_(scene.table.circles) {
+    explicit PocketCircles(const SceneLike auto& scene) : circles_(scene.table.circles) {
         if (!called_for(scene)) circles_ = {};
         for (const PocketCircle& circle : circles_)
             free_y_ = std::min(free_y_, abs(circle.centre.y) - circle.radius);
     }
 
-    [[nodiscard]] static bool called_for(const Scene& scene) {
+    [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.table.pockets == PocketModel::kCircles && !scene.table.circles.empty();
     }
 
@@ -53,9 +53,11 @@ class PocketCircles {
         return std::nullopt;
     }
 
-  private:
-    static Pocket pocket_of(std::size_t circle) { return static_cast<Pocket>(circle); }
+    [[nodiscard]] static Pocket pocket_of(std::size_t circle) {
+        return static_cast<Pocket>(circle);
+    }
 
+  private:
     std::span<const PocketCircle> circles_;
     Real free_y_ = kInfinity;  ///< no circle nearer to y = 0 than this, m
 };

@@ -1,38 +1,37 @@
 #pragma once
 
 #include "shared/physics/contact/time_of_impact.hpp"
-#include "shared/physics/effects/circle_captures.hpp"
+#include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
-#include "shared/physics/scene/scene.hpp"
-#include "shared/physics/search/box.hpp"
+#include "shared/physics/search/circle_captures.hpp"
+#include "shared/physics/search/table_hooks.hpp"
 #include "shared/table/pockets.hpp"
 #include "shared/table/pool_table.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 namespace poolhall {
-
-struct CushionHit {
-    Real t = 0;  ///< s from now
-    Rail rail = Rail::kNorth;
-    Vec2 normal;  ///< unit, into the rubber
-};
 
 /// The rails of a full pool table, with its mouths, jaws and holes (pool_table.hpp).
 class PoolMouths {
   public:
-    explicit PoolMouths(const Scene& scene)
+    explicit PoolMouths(const SceneLike auto& scene)
         : table_(called_for(scene) ? scene.table : Table{}),
           // The holes are at the mouths' middles, all on or beyond the long rails' noses.
           nose_{scene.table.length / 2, scene.table.width / 2},
           active_(called_for(scene)) {}
 
-    [[nodiscard]] static bool called_for(const Scene& scene) {
+    [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.table.rails && scene.table.pockets == PocketModel::kPool;
     }
 
     [[nodiscard]] const PoolTable& table() const { return table_; }
+
+    [[nodiscard]] std::span<const Hole> circles() const { return table_.holes(); }
+
+    [[nodiscard]] Pocket pocket_of(std::size_t hole) const { return table_.holes()[hole].pocket; }
 
     /// False where a ball whose surface stays within the box touches nothing of rails and holes:
     /// most, most of the time.
@@ -55,8 +54,8 @@ class PoolMouths {
     /// The first capture of a ball that moves from r with velocity v, within `time` s.
     [[nodiscard]] std::optional<Capture> first_capture(Vec2 r, Vec2 v, Real time) const {
         if (!active_) return std::nullopt;
-        const auto pocket_of = [this](std::size_t hole) { return table_.holes()[hole].pocket; };
-        return first_capture_by(table_.holes(), pocket_of, {r, v}, time);
+        return first_capture_by(
+            circles(), [this](std::size_t hole) { return pocket_of(hole); }, {r, v}, time);
     }
 
     /// The hole that holds a ball centred at r.
@@ -66,13 +65,6 @@ class PoolMouths {
         }
         return std::nullopt;
     }
-
-    /// False for a line that a ball is behind: one in a mouth would meet noses that go on beyond
-    /// their ends, and the backs of facings. `gap` (m) is how far its surface is from the line.
-    [[nodiscard]] static bool faces(Real gap) { return gap >= -kTouchTolerance; }
-
-    /// A dead cushion leaves nothing but rounding of what came in, m/s. No impact would end that.
-    [[nodiscard]] static Real rounding_of(Vec2 v) { return kTouchRounding * (abs(v.x) + abs(v.y)); }
 
     /// What a ball meets first if it moves on with velocity v; of a line and an arc at once the
     /// line, at whose end they have the same normal.

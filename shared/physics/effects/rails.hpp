@@ -1,7 +1,8 @@
 #pragma once
 
+#include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
-#include "shared/physics/scene/scene.hpp"
+#include "shared/table/table.hpp"
 
 #include <optional>
 
@@ -15,11 +16,11 @@ struct RailHit {
 /// Where the four straight, unbroken rails are met. What happens there is in contact.hpp.
 class Rails {
   public:
-    explicit Rails(const Scene& scene)
+    explicit Rails(const SceneLike auto& scene)
         : nose_(called_for(scene) ? Vec2{scene.table.length / 2, scene.table.width / 2}
                                   : Vec2{kInfinity, kInfinity}) {}
 
-    [[nodiscard]] static bool called_for(const Scene& scene) {
+    [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.table.rails && scene.table.pockets != PocketModel::kPool;
     }
 
@@ -55,6 +56,8 @@ class Rails {
         if (!t) return std::nullopt;
         return RailHit{*t, v.y > 0 ? Rail::kNorth : Rail::kSouth};
     }
+
+    [[nodiscard]] bool is_there() const { return nose_.x < kInfinity; }
 
     /// |x| and |y| of a ball of that radius that touches the rails, m.
     [[nodiscard]] Vec2 edge(Real radius) const { return {nose_.x - radius, nose_.y - radius}; }

@@ -1,9 +1,37 @@
 #pragma once
 
+#include "shared/fields.hpp"
+#include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
-#include "shared/physics/scene/scene.hpp"
+#include "shared/physics/motion/slip.hpp"
+#include "shared/table/bounds.hpp"
+
+#include <optional>
+#include <tuple>
 
 namespace poolhall {
+
+/// What a scene says of it. A coefficient of 0 means the same as none.
+struct SlidingSpec {
+    Real mu = 0.2;  ///< friction of the cloth on a ball that slips
+
+    static constexpr auto field_list() {
+        return std::tuple{fields::of("mu", &SlidingSpec::mu, kFrictions).or_default()};
+    }
+
+    friend constexpr bool operator==(const SlidingSpec&, const SlidingSpec&) = default;
+};
+
+/// Its place among the effects of a scene.
+struct SlidingPart {
+    std::optional<SlidingSpec> sliding;
+
+    static constexpr auto part_field() {
+        return fields::of("sliding", &SlidingPart::sliding).hashed_if_absent();
+    }
+
+    friend constexpr bool operator==(const SlidingPart&, const SlidingPart&) = default;
+};
 
 /// Friction of the cloth on a ball that slips: constant in size, against the slip
 /// u = (vx - R wy, vy + R wx) of the point of contact. Along u the centre decelerates with mu g and
@@ -13,58 +41,44 @@ namespace poolhall {
 /// pool physics simulator", 2006.
 class Sliding {
   public:
-    explicit Sliding(const Scene& scene)
+    using Part = SlidingPart;
+    static constexpr bool kPressesBalls = true;
+
+    explicit Sliding(const SceneLike auto& scene)
         : mu_g_(called_for(scene) ? scene.effects.sliding->mu * scene.gravity : 0) {}
 
-    [[nodiscard]] static bool called_for(const Scene& scene) {
+    [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.effects.sliding && scene.effects.sliding->mu * scene.gravity > 0;
     }
 
-    [[nodiscard]] bool active() const { return mu_g_ > 0; }
-
-    /// Slip of the point that touches the cloth, m/s.
-    [[nodiscard]] static Vec2 slip(const MovingBall& ball) {
-        return {ball.v.x - ball.radius * ball.w.y, ball.v.y + ball.radius * ball.w.x};
+    /// The coefficient of friction of a scene's cloth, 0 if none.
+    [[nodiscard]] static Real slip_friction(const SceneLike auto& scene) {
+        return called_for(scene) ? scene.effects.sliding->mu : 0;
     }
 
-    /// The spin about the horizontal axes with which a ball rolls, rad/s.
-    [[nodiscard]] static Vec2 rolling_spin(Vec2 v, Real radius) {
-        return {-v.y / radius, v.x / radius};
-    }
+    [[nodiscard]] bool rubs() const { return mu_g_ > 0; }
 
-    /// The velocity at which the slip has gone, whatever mu is: v - 2/7 u.
-    [[nodiscard]] static Vec2 velocity_after(Vec2 v, Vec2 slip) { return v - (Real{2} / 7) * slip; }
-
-    [[nodiscard]] Real deceleration() const { return mu_g_; }  ///< m/s^2
+    [[nodiscard]] Real slip_deceleration() const { return mu_g_; }  ///< m/s^2
 
     /// How long a slip of this speed (m/s) lasts, s.
-    [[nodiscard]] Real duration(Real slip_speed) const { return 2 * slip_speed / (7 * mu_g_); }
+    [[nodiscard]] Real slip_time(Real slip_speed) const { return 2 * slip_speed / (7 * mu_g_); }
 
     /// Angular acceleration, rad/s^2, for a slip along the unit vector.
-    [[nodiscard]] Vec2 spin_rate(Vec2 slip_direction, Real radius) const {
+    [[nodiscard]] Vec2 slip_spin_rate(Vec2 slip_direction, Real radius) const {
         const Real rate = 5 * mu_g_ / (2 * radius);
         return {-rate * slip_direction.y, rate * slip_direction.x};
     }
 
-    /// Takes an impulse of the cloth, per mass of the ball (m/s), from its velocity; the spin
-    /// changes with it.
-    static void rub(MovingBall& ball, Vec2 impulse) {
-        ball.v = ball.v - impulse;
-        const Real turn = 5 / (2 * ball.radius);
-        ball.w.x = ball.w.x - turn * impulse.y;
-        ball.w.y = ball.w.y + turn * impulse.x;
-    }
-
     /// What friction takes from the velocity of a ball that slips in dt s, m/s.
-    [[nodiscard]] Real lost_in(Real dt) const { return mu_g_ * dt; }
+    [[nodiscard]] Real slip_loss(Real dt) const { return mu_g_ * dt; }
 
     /// An explicit Euler step of a ball that slips, in which friction takes that. The slip never
     /// turns round: where it would, the ball rolls from here on, and the step says true.
-    [[nodiscard]] static bool kick(MovingBall& ball, Real lost) {
-        const Vec2 u = slip(ball);
+    [[nodiscard]] static bool step_slip(MovingBall& ball, Real lost) {
+        const Vec2 u = slip_of(ball);
         const Real speed = norm(u);
         if (7 * lost >= 2 * speed) {
-            ball.v = velocity_after(ball.v, u);
+            ball.v = velocity_after_slip(ball.v, u);
             return true;
         }
         const Vec2 impulse = (lost / speed) * u;

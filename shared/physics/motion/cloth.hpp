@@ -1,22 +1,18 @@
 #pragma once
 
-#include "shared/physics/effects/airborne.hpp"
-#include "shared/physics/effects/effect_set.hpp"
-#include "shared/physics/effects/linear_drag.hpp"
-#include "shared/physics/effects/rolling.hpp"
-#include "shared/physics/effects/sliding.hpp"
-#include "shared/physics/effects/spin_decay.hpp"
 #include "shared/physics/motion/arc.hpp"
-#include "shared/physics/scene/trace.hpp"
+#include "shared/physics/motion/cloth_hooks.hpp"
+#include "shared/physics/motion/event_kind.hpp"
+#include "shared/physics/motion/slip.hpp"
 
 #include <span>
 
 namespace poolhall {
 
-/// What the cloth does to a ball between impacts: slide, roll, spin, rest. `Set` says which effects
-/// there are (effect_set.hpp); the others leave no instruction behind. The spin about the
-/// horizontal axes of a ball that rolls follows from its velocity and is brought up to date by
-/// settle().
+/// What the cloth does to a ball between impacts: slide, roll, spin, rest. `Set`, an EffectSet
+/// (effect_set.hpp), says by which hooks (cloth_hooks.hpp); others leave no instruction behind. The
+/// spin about the horizontal axes of a ball that rolls follows from its velocity and is brought up
+/// to date by settle().
 template <class Set>
 class Cloth {
   public:
@@ -24,8 +20,8 @@ class Cloth {
 
     /// Decides how the ball moves on from its r, v and w: after a strike, an impact, a bounce.
     void settle(MovingBall& ball) const {
-        if constexpr (Set::template kHas<Airborne>) {
-            if (effects_.template effect<Airborne>().in_air(ball)) {
+        if constexpr (Set::template kHook<hooks::Flight>) {
+            if (effects_.template hook<hooks::Flight>().in_air(ball)) {
                 ball.motion = Motion::kAirborne;
                 return;
             }
@@ -47,12 +43,12 @@ class Cloth {
 
     [[nodiscard]] Step step_of(Real dt) const {
         Step step{dt};
-        if constexpr (Set::template kHas<Rolling>)
-            step.rolled = effects_.template effect<Rolling>().lost_in(dt);
-        if constexpr (Set::template kHas<Sliding>)
-            step.slid = effects_.template effect<Sliding>().lost_in(dt);
-        if constexpr (Set::template kHas<LinearDrag>)
-            step.kept = effects_.template effect<LinearDrag>().kept_in(dt);
+        if constexpr (Set::template kHook<hooks::Roll>)
+            step.rolled = effects_.template hook<hooks::Roll>().roll_loss(dt);
+        if constexpr (Set::template kHook<hooks::Slip>)
+            step.slid = effects_.template hook<hooks::Slip>().slip_loss(dt);
+        if constexpr (Set::template kHook<hooks::Drag>)
+            step.kept = effects_.template hook<hooks::Drag>().drag_keeps(dt);
         return step;
     }
 
@@ -62,20 +58,22 @@ class Cloth {
         // Rebuilt where something happens: a copy a step would cost more than the step.
         const Vec2 v = ball.v;
         const Motion motion = ball.motion;
-        if constexpr (Set::template kHas<Rolling>) {
-            if (motion == Motion::kRolling && Rolling::kick(ball, step.rolled)) [[unlikely]]
+        if constexpr (Set::template kHook<hooks::Roll>) {
+            if (motion == Motion::kRolling &&
+                effects_.template hook<hooks::Roll>().step_roll(ball, step.rolled)) [[unlikely]]
                 end_roll(ball, v, happened);
         }
-        if constexpr (Set::template kHas<Sliding>) {
-            if (motion == Motion::kSliding && Sliding::kick(ball, step.slid)) [[unlikely]]
+        if constexpr (Set::template kHook<hooks::Slip>) {
+            if (motion == Motion::kSliding &&
+                effects_.template hook<hooks::Slip>().step_slip(ball, step.slid)) [[unlikely]]
                 end_slide(ball, v, happened);
         }
-        if constexpr (Set::template kHas<Airborne>) {
+        if constexpr (Set::template kHook<hooks::Flight>) {
             if (motion == Motion::kAirborne) [[unlikely]]
                 kick_in_air(ball, step.dt, happened);
         }
-        if constexpr (Set::template kHas<SpinDecay>) kick_side_spin(ball, step.dt, happened);
-        if constexpr (Set::template kHas<LinearDrag>) kick_drag(ball, step.kept, happened);
+        if constexpr (Set::template kHook<hooks::Spin>) kick_side_spin(ball, step.dt, happened);
+        if constexpr (Set::template kHook<hooks::Drag>) kick_drag(ball, step.kept, happened);
         effects_.for_each(
             [&]<ForceEffect Force>(const Force& force) { force.push(ball, step.dt); });
     }
@@ -90,23 +88,24 @@ class Cloth {
     void find_arc(const MovingBall& ball, Real t, Arc& arc) const {
         arc = Arc{};
         arc.since = t;
-        if constexpr (Set::template kHas<SpinDecay>) {
+        if constexpr (Set::template kHook<hooks::Spin>) {
             if (ball.motion != Motion::kAirborne)
-                arc.side_decay = effects_.template effect<SpinDecay>().rate(ball.radius);
+                arc.side_decay =
+                    effects_.template hook<hooks::Spin>().spin_deceleration(ball.radius);
         }
         switch (ball.motion) {
             case Motion::kSliding:
-                if constexpr (Set::template kHas<Sliding>) slide(ball, arc);
+                if constexpr (Set::template kHook<hooks::Slip>) slide(ball, arc);
                 break;
             case Motion::kRolling:
-                if constexpr (Set::template kHas<Rolling>) decelerate(ball, arc);
-                if constexpr (Set::template kHas<LinearDrag>) drag(ball, arc);
+                if constexpr (Set::template kHook<hooks::Roll>) decelerate(ball, arc);
+                if constexpr (Set::template kHook<hooks::Drag>) drag(ball, arc);
                 break;
             case Motion::kSpinning:
                 arc.until = t + abs(ball.w.z) / arc.side_decay;
                 break;
             case Motion::kAirborne:
-                if constexpr (Set::template kHas<Airborne>) fly(ball, arc);
+                if constexpr (Set::template kHook<hooks::Flight>) fly(ball, arc);
                 break;
             default:
                 break;
@@ -120,10 +119,9 @@ class Cloth {
         const Vec2 r = ball.r;
         const Vec2 v = ball.v;
         // A full draw leaves nothing but rounding of what it had.
-        const Vec2 rolled =
-            motion == Motion::kSliding
-                ? unless_rounding(Sliding::velocity_after(v, Sliding::slip(ball)), ball)
-                : Vec2{};
+        const Vec2 rolled = motion == Motion::kSliding
+                                ? unless_rounding(velocity_after_slip(v, slip_of(ball)), ball)
+                                : Vec2{};
         advance(ball, arc, arc.until);
         const MovingBall before = ball;
         switch (motion) {
@@ -141,9 +139,9 @@ class Cloth {
                 happened(EventKind::kRollToRest, before);
                 break;
             case Motion::kAirborne:
-                if constexpr (Set::template kHas<Airborne>) {
+                if constexpr (Set::template kHook<hooks::Flight>) {
                     ball.height = 0;
-                    effects_.template effect<Airborne>().bounce(ball);
+                    effects_.template hook<hooks::Flight>().bounce(ball);
                     settle(ball);
                     happened(EventKind::kBounce, before);
                 }
@@ -159,7 +157,7 @@ class Cloth {
     /// Makes the spin of a ball that rolls follow its velocity.
     void update_spin(MovingBall& ball) const {
         if (ball.motion == Motion::kRolling && couples_spin())
-            set_xy(ball.w, Sliding::rolling_spin(ball.v, ball.radius));
+            set_xy(ball.w, rolling_spin(ball.v, ball.radius));
     }
 
     void update_spins(std::span<MovingBall> balls) const {
@@ -179,8 +177,8 @@ class Cloth {
     }
 
     [[nodiscard]] bool couples_spin() const {
-        if constexpr (Set::template kHas<Sliding>)
-            return effects_.template effect<Sliding>().active();
+        if constexpr (Set::template kHook<hooks::Slip>)
+            return effects_.template hook<hooks::Slip>().rubs();
         return false;
     }
 
@@ -198,7 +196,7 @@ class Cloth {
     }
 
     [[nodiscard]] bool slides(const MovingBall& ball) const {
-        return couples_spin() && exceeds_rounding(Sliding::slip(ball), ball);
+        return couples_spin() && exceeds_rounding(slip_of(ball), ball);
     }
 
     void roll(MovingBall& ball) const {
@@ -214,8 +212,8 @@ class Cloth {
         ball.v = {};
         if (couples_spin()) set_xy(ball.w, {});
         ball.motion = Motion::kStationary;
-        if constexpr (Set::template kHas<SpinDecay>) {
-            if (ball.w.z != 0 && effects_.template effect<SpinDecay>().active())
+        if constexpr (Set::template kHook<hooks::Spin>) {
+            if (ball.w.z != 0 && effects_.template hook<hooks::Spin>().ends_spin())
                 ball.motion = Motion::kSpinning;
         }
     }
@@ -240,19 +238,19 @@ class Cloth {
     template <class Happened>
     void kick_in_air(MovingBall& ball, Real dt, const Happened& happened) const {
         const MovingBall before = ball;
-        if (!effects_.template effect<Airborne>().kick(ball, dt)) return;
+        if (!effects_.template hook<hooks::Flight>().step_flight(ball, dt)) return;
         settle(ball);
         happened(EventKind::kBounce, before);
     }
 
     template <class Happened>
     void kick_side_spin(MovingBall& ball, Real dt, const Happened& happened) const {
-        if constexpr (Set::template kHas<Airborne>) {
+        if constexpr (Set::template kHook<hooks::Flight>) {
             if (ball.motion == Motion::kAirborne) return;
         }
         if (ball.w.z == 0) return;
         const Real spin = ball.w.z;
-        const bool ended = effects_.template effect<SpinDecay>().kick(ball, dt);
+        const bool ended = effects_.template hook<hooks::Spin>().step_spin(ball, dt);
         if (ended && ball.motion == Motion::kSpinning) [[unlikely]] {
             MovingBall before = ball;
             before.w.z = spin;
@@ -265,46 +263,46 @@ class Cloth {
     void kick_drag(MovingBall& ball, Real kept, const Happened& happened) const {
         if (!moves_on(ball)) return;
         const Vec2 v = ball.v;
-        if (effects_.template effect<LinearDrag>().kick(ball, kept)) [[unlikely]]
+        if (effects_.template hook<hooks::Drag>().step_drag(ball, kept)) [[unlikely]]
             end_roll(ball, v, happened);
     }
 
     /// Whether its centre moves. Balls that only roll are at rest when they do not.
     [[nodiscard]] static bool moves_on(const MovingBall& ball) {
-        constexpr bool kSlides = Set::template kHas<Sliding>;
-        constexpr bool kFlies = Set::template kHas<Airborne>;
+        constexpr bool kSlides = Set::template kHook<hooks::Slip>;
+        constexpr bool kFlies = Set::template kHook<hooks::Flight>;
         return kSlides || kFlies ? ball.v != Vec2{} : ball.motion == Motion::kRolling;
     }
 
     void slide(const MovingBall& ball, Arc& arc) const {
-        const Sliding& sliding = effects_.template effect<Sliding>();
-        const Vec2 slip = Sliding::slip(ball);
+        const auto& friction = effects_.template hook<hooks::Slip>();
+        const Vec2 slip = slip_of(ball);
         const Real speed = length(slip);
         const Vec2 along{slip.x / speed, slip.y / speed};
-        arc.a = -sliding.deceleration() * along;
-        arc.dw = sliding.spin_rate(along, ball.radius);
-        arc.until = arc.since + sliding.duration(speed);
+        arc.a = -friction.slip_deceleration() * along;
+        arc.dw = friction.slip_spin_rate(along, ball.radius);
+        arc.until = arc.since + friction.slip_time(speed);
     }
 
     void decelerate(const MovingBall& ball, Arc& arc) const {
-        const Real deceleration = effects_.template effect<Rolling>().deceleration();
+        const Real deceleration = effects_.template hook<hooks::Roll>().roll_deceleration();
         if (deceleration == 0) return;
         const Real speed = length(ball.v);
         arc.a = -deceleration * Vec2{ball.v.x / speed, ball.v.y / speed};
-        if (couples_spin()) arc.dw = Sliding::rolling_spin(arc.a, ball.radius);
+        if (couples_spin()) arc.dw = rolling_spin(arc.a, ball.radius);
         arc.until = arc.since + speed / deceleration;
     }
 
     void drag(const MovingBall& ball, Arc& arc) const {
-        const LinearDrag& drag = effects_.template effect<LinearDrag>();
-        if (drag.k() == 0) return;
-        arc.drag = drag.k();
-        arc.until = arc.since + drag.time_to_rest(norm(ball.v));
+        const auto& drag = effects_.template hook<hooks::Drag>();
+        if (drag.drag_rate() == 0) return;
+        arc.drag = drag.drag_rate();
+        arc.until = arc.since + drag.drag_time(norm(ball.v));
     }
 
     void fly(const MovingBall& ball, Arc& arc) const {
         arc.gravity = gravity_;
-        arc.until = arc.since + effects_.template effect<Airborne>().time_to_slate(ball);
+        arc.until = arc.since + effects_.template hook<hooks::Flight>().time_to_slate(ball);
     }
 
     const Set& effects_;

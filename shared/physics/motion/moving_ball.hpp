@@ -45,6 +45,8 @@ struct MovingBall {
 /// Two bodies that touch: what their distance and their approach are off by within this share is
 /// rounding.
 inline constexpr Real kTouchRounding = 16 * kEpsilon;
+/// Balls that overlap by no more than this are taken as touching, m.
+inline constexpr Real kTouchTolerance = 1e-9;
 
 /// How far apart the centres of two balls are, in the plane, when they touch on the cloth (m):
 /// 2 sqrt(R_a R_b), since centres of different radius are at different heights.

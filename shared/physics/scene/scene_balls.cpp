@@ -1,3 +1,4 @@
+#include "shared/physics/scene/field_checks.hpp"
 #include "shared/physics/scene/scene_checks.hpp"
 #include "shared/table/playing_area.hpp"
 #include "shared/table/pool_table.hpp"
@@ -6,20 +7,11 @@ namespace poolhall::scene_checks {
 
 namespace {
 
-MaybeError vector_in_range(const Vec3& a, Real bound, const std::string& pointer) {
-    if (auto error = in_range(a.x, -bound, bound, pointer + "/0")) return error;
-    if (auto error = in_range(a.y, -bound, bound, pointer + "/1")) return error;
-    return in_range(a.z, -bound, bound, pointer + "/2");
-}
-
+/// On a pool table.
 MaybeError check_size(const Scene& scene, const SceneBall& ball, const std::string& pointer) {
-    if (ball.radius) {
-        if (auto error = positive(*ball.radius, kMaxLength, pointer + "/radius")) return error;
-        if (scene.table.pockets == PocketModel::kPool && !fits_pool_table(*ball.radius))
-            return SceneError{pointer + "/radius", "is too large for the mouths of a pool table"};
-    }
-    if (ball.mass) return positive(*ball.mass, kMaxLength, pointer + "/mass");
-    return std::nullopt;
+    if (!ball.radius || scene.table.pockets != PocketModel::kPool || fits_pool_table(*ball.radius))
+        return std::nullopt;
+    return SceneError{pointer + "/radius", "is too large for the mouths of a pool table"};
 }
 
 /// Heights are for scenes in which balls fly.
@@ -33,12 +25,8 @@ MaybeError check_height(const Scene& scene, const BallState& state, const std::s
 }
 
 MaybeError check_ball(const Scene& scene, const SceneBall& ball, const std::string& pointer) {
-    if (ball.id.empty() || ball.id.size() > kMaxIdBytes)
-        return SceneError{pointer + "/id", "must have 1 to 64 bytes"};
+    if (auto error = below(pointer, check_fields(ball))) return error;
     if (auto error = check_size(scene, ball, pointer)) return error;
-    if (auto error = vector_in_range(ball.state.r, kMaxLength, pointer + "/r")) return error;
-    if (auto error = vector_in_range(ball.state.v, kMaxSpeed, pointer + "/v")) return error;
-    if (auto error = vector_in_range(ball.state.w, kMaxSpin, pointer + "/w")) return error;
     if (auto error = check_height(scene, ball.state, pointer)) return error;
     if (!is_on_table(scene.table, xy(ball.state.r), radius_of(scene, ball), kTouchTolerance))
         return SceneError{pointer + "/r", "is off the table"};

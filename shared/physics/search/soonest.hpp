@@ -16,7 +16,7 @@ class Soonest {
     struct Found {
         Real t = kNever;
         std::size_t ball = 0;   ///< the first that has t
-        std::size_t count = 0;  ///< how many have it; of kNever, not how many
+        std::size_t count = 0;  ///< how many balls have t; not counted where t is kNever
     };
 
     /// All never. From `many` balls on they are many.

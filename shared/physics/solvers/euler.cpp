@@ -1,13 +1,21 @@
-#include "shared/physics/solvers/solvers.hpp"
+#include "shared/physics/solvers/refusals.hpp"
+#include "shared/physics/solvers/solver.hpp"
 #include "shared/physics/solvers/stepping.hpp"
 #include "shared/physics/solvers/with_kernel.hpp"
 
 namespace poolhall {
 
-void run_euler(std::size_t kernel, ShotRun& run) {
-    with_kernel(kernel, run, [&]<class Kernel>(const Kernel& effects) {
-        SteppingSolver<Kernel, Scheme::kEuler>(effects, run).solve();
-    });
-}
+extern const Solver kEulerSolver;
+
+const Solver kEulerSolver{.kind = SolverKind::kEuler,
+                          .has_ticks = true,
+                          .refusal = refusal_by_euler_steps,
+                          .run = [](std::size_t kernel, ShotRun& shot, SolverMemory& memory) {
+                              with_kernel(kernel, shot, [&]<class Kernel>(const Kernel& effects) {
+                                  SteppingSolver<Kernel, Scheme::kEuler>(
+                                      effects, shot, memory.as<SteppingMemory>())
+                                      .solve();
+                              });
+                          }};
 
 }  // namespace poolhall

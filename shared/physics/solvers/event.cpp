@@ -1,14 +1,21 @@
 #include "shared/physics/solvers/event.hpp"
 
-#include "shared/physics/solvers/solvers.hpp"
+#include "shared/physics/solvers/refusals.hpp"
+#include "shared/physics/solvers/solver.hpp"
 #include "shared/physics/solvers/with_kernel.hpp"
 
 namespace poolhall {
 
-void run_event(std::size_t kernel, ShotRun& run) {
-    with_kernel(kernel, run, [&]<class Kernel>(const Kernel& effects) {
-        EventSolver<Kernel>(effects, run).solve();
-    });
-}
+extern const Solver kEventSolver;
+
+const Solver kEventSolver{
+    .kind = SolverKind::kEvent,
+    .has_ticks = false,
+    .refusal = refusal_by_closed_form,
+    .run = [](std::size_t kernel, ShotRun& shot, SolverMemory& memory) {
+        with_kernel(kernel, shot, [&]<class Kernel>(const Kernel& effects) {
+            EventSolver<Kernel>(effects, shot, memory.as<EventMemory>()).solve();
+        });
+    }};
 
 }  // namespace poolhall

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shared/physics/motion/cloth.hpp"
+#include "shared/physics/solvers/event_memory.hpp"
 #include "shared/physics/solvers/impacts.hpp"
 #include "shared/physics/solvers/own_event_search.hpp"
 #include "shared/physics/solvers/shot_run.hpp"
@@ -18,12 +19,13 @@ inline constexpr int kMaxEventsPerInstant = 10000;
 template <class Set>
 class EventSolver {
   public:
-    EventSolver(const Set& set, ShotRun& run)
+    EventSolver(const Set& set, ShotRun& run, EventMemory& memory)
         : set_(set),
           run_(run),
           balls_(run.balls()),
           cloth_(set, run.scene().gravity),
-          work_(run.workspace()) {}
+          memory_(memory),
+          contacts_(run.workspace().contacts) {}
 
     void solve() {
         begin();
@@ -37,12 +39,12 @@ class EventSolver {
 
     void begin() {
         const std::size_t n = balls_.size();
-        work_.arcs.resize(n);
-        work_.own.resize(n);
-        work_.courses.resize(n);
-        work_.due.reset(n, work_.many_balls);
-        work_.reach.reset(n, room(), work_.many_balls);
-        work_.pairs.reset(n);
+        memory_.arcs.resize(n);
+        memory_.own.resize(n);
+        memory_.courses.resize(n);
+        memory_.due.reset(n, run_.workspace().many_balls);
+        memory_.reach.reset(n, room(), run_.workspace().many_balls);
+        memory_.pairs.reset(n);
         for (std::size_t i = 0; i < n; ++i) {
             cloth_.settle(balls_[i]);
             launch(i);
@@ -61,7 +63,7 @@ class EventSolver {
         const Limits& limits = run_.scene().limits;
         int at_once = 0;
         while (true) {
-            const Soonest::Found due = work_.due.find();
+            const Soonest::Found due = memory_.due.find();
             const Real end = limits.time - epoch_;
             if (due.t == kNever && !run_.any_moves()) {
                 run_.sample_at(time());
@@ -88,13 +90,13 @@ class EventSolver {
         epoch_ += passed;
         now_ -= passed;
         for (std::size_t i = 0; i < balls_.size(); ++i) {
-            work_.arcs[i].since -= passed;
-            work_.arcs[i].until -= passed;
-            work_.own[i].t -= passed;
-            work_.courses[i].since -= passed;
-            work_.courses[i].until -= passed;
+            memory_.arcs[i].since -= passed;
+            memory_.arcs[i].until -= passed;
+            memory_.own[i].t -= passed;
+            memory_.courses[i].since -= passed;
+            memory_.courses[i].until -= passed;
         }
-        work_.pairs.set_back(passed);
+        memory_.pairs.set_back(passed);
         for (std::size_t i = 0; i < balls_.size(); ++i)
             plan(i);
     }
@@ -106,8 +108,8 @@ class EventSolver {
                 const MovingBall& ball = balls_[i];
                 if (!in_play(ball) || ball.motion == Motion::kStationary)
                     return Vec3{ball.r.x, ball.r.y, ball.height};
-                const Vec2 r = place_on(ball, work_.arcs[i], at);
-                return Vec3{r.x, r.y, height_on(ball, work_.arcs[i], at)};
+                const Vec2 r = place_on(ball, memory_.arcs[i], at);
+                return Vec3{r.x, r.y, height_on(ball, memory_.arcs[i], at)};
             });
         }
     }
@@ -115,7 +117,7 @@ class EventSolver {
     /// Brings all balls to t, where the shot is cut off.
     Outcome stop_at(Real t, Outcome outcome) {
         for (std::size_t i = 0; i < balls_.size(); ++i) {
-            if (in_play(balls_[i])) advance(balls_[i], work_.arcs[i], t);
+            if (in_play(balls_[i])) advance(balls_[i], memory_.arcs[i], t);
         }
         now_ = t;
         run_.sample_at(time());
@@ -127,48 +129,50 @@ class EventSolver {
     /// Begins the arc of a settled ball now.
     void launch(std::size_t i) {
         const MovingBall& ball = balls_[i];
-        Arc& arc = work_.arcs[i];
-        OwnEvent& own = work_.own[i];
+        Arc& arc = memory_.arcs[i];
+        OwnEvent& own = memory_.own[i];
         if (!in_play(ball)) {
             arc = {};
             own = {};
-            work_.reach.remove(i);
+            memory_.reach.remove(i);
             return;
         }
         cloth_.find_arc(ball, now_, arc);
         const Box whole = box_around(ball, arc, arc.until);
         OwnEventSearch<Set>(set_, ball, arc, whole, own).find();
-        work_.courses[i].set(ball, arc, own.t);
+        memory_.courses[i].set(ball, arc, own.t);
         if (own.t < arc.until) {
-            work_.reach.set(i, box_around(ball, arc, own.t));
+            memory_.reach.set(i, box_around(ball, arc, own.t));
         } else {
-            work_.reach.set(i, whole);
+            memory_.reach.set(i, whole);
         }
     }
 
     /// Finds whom ball i, whose arc begins now, meets among those from `from` on.
     void find_partners(std::size_t i, std::size_t from) {
-        const Course& course = work_.courses[i];
-        work_.reach.for_each_overlap(i, from, [&](std::size_t j) {
-            if (!may_meet(course, work_.courses[j], now_)) return;
+        const Course& course = memory_.courses[i];
+        memory_.reach.for_each_overlap(i, from, [&](std::size_t j) {
+            if (!may_meet(course, memory_.courses[j], now_)) return;
             const Real t = now_ + meeting(i, j);
             if (t == kNever) return;
-            work_.pairs.set(i, j, t);
+            memory_.pairs.set(i, j, t);
             plan(j);
         });
         plan(i);
     }
 
     /// Notes when something happens to the ball next.
-    void plan(std::size_t i) { work_.due.set(i, std::min(work_.own[i].t, work_.pairs.first(i))); }
+    void plan(std::size_t i) {
+        memory_.due.set(i, std::min(memory_.own[i].t, memory_.pairs.first(i)));
+    }
 
     /// In how many s ball i, whose arc begins now, meets ball j, if it is before either's own
     /// event.
     [[nodiscard]] Real meeting(std::size_t i, std::size_t j) const {
         const MovingBall& a = balls_[i];
         const MovingBall& b = balls_[j];
-        const Real horizon = std::min(work_.own[i].t, work_.own[j].t) - now_;
-        if constexpr (Set::template kHas<Airborne>) {
+        const Real horizon = std::min(memory_.own[i].t, memory_.own[j].t) - now_;
+        if constexpr (Set::template kHook<hooks::Flight>) {
             if (a.motion == Motion::kAirborne || b.motion == Motion::kAirborne)
                 return meeting_in_air(i, j, horizon);
         }
@@ -178,7 +182,7 @@ class EventSolver {
         const RelativeArc<Vec2> arc = relative_arc(i, j, b_moves);
         const Real distance = contact_distance(a, b);
         if (rest_against(i, j, arc, distance)) return kNever;
-        const Real drag = std::max(work_.arcs[i].drag, work_.arcs[j].drag);
+        const Real drag = std::max(memory_.arcs[i].drag, memory_.arcs[j].drag);
         if (drag > 0) return time_under_drag_until(arc, drag, distance, horizon);
         // Straight on, and slower and slower.
         if ((!b_moves && a.motion == Motion::kRolling) ||
@@ -191,10 +195,10 @@ class EventSolver {
     [[nodiscard]] RelativeArc<Vec2> relative_arc(std::size_t i, std::size_t j, bool j_moves) const {
         const MovingBall& a = balls_[i];
         const MovingBall& b = balls_[j];
-        const Arc& other = work_.arcs[j];
-        if (!j_moves) return {b.r - a.r, -a.v, -work_.arcs[i].a};
+        const Arc& other = memory_.arcs[j];
+        if (!j_moves) return {b.r - a.r, -a.v, -memory_.arcs[i].a};
         return {place_on(b, other, now_) - a.r, velocity_on(b, other, now_) - a.v,
-                other.a - work_.arcs[i].a};
+                other.a - memory_.arcs[i].a};
     }
 
     /// Under drag all balls move uniformly on a clock that they share.
@@ -206,16 +210,16 @@ class EventSolver {
     }
 
     [[nodiscard]] Real meeting_in_air(std::size_t i, std::size_t j, Real horizon) const {
-        const MovingBall a = ball_on(balls_[i], work_.arcs[i], now_);
-        const MovingBall b = ball_on(balls_[j], work_.arcs[j], now_);
+        const MovingBall a = ball_on(balls_[i], memory_.arcs[i], now_);
+        const MovingBall b = ball_on(balls_[j], memory_.arcs[j], now_);
         const Real rise = (b.radius + b.height) - (a.radius + a.height);
         const Vec2 c = b.r - a.r;
         const Vec2 v = b.v - a.v;
-        const Vec2 acceleration = work_.arcs[j].a - work_.arcs[i].a;
+        const Vec2 acceleration = memory_.arcs[j].a - memory_.arcs[i].a;
         const RelativeArc<Vec3> arc{
             {c.x, c.y, rise},
             {v.x, v.y, b.climb - a.climb},
-            {acceleration.x, acceleration.y, work_.arcs[i].gravity - work_.arcs[j].gravity}};
+            {acceleration.x, acceleration.y, memory_.arcs[i].gravity - memory_.arcs[j].gravity}};
         const Real distance = a.radius + b.radius;
         return first_contact(arc, distance, horizon);
     }
@@ -236,15 +240,15 @@ class EventSolver {
     /// False if it does not settle.
     bool happen(const Soonest::Found& due) {
         if (due.count == 1) return happen_alone(due.ball);
-        const std::size_t other = work_.pairs.partner(due.ball);
+        const std::size_t other = memory_.pairs.partner(due.ball);
         const bool is_pair =
-            due.count == 2 && work_.own[due.ball].t > now_ && work_.own[other].t > now_;
+            due.count == 2 && memory_.own[due.ball].t > now_ && memory_.own[other].t > now_;
         return is_pair ? meet_alone(due.ball, other) : happen_together();
     }
 
     /// The ordinary case: one thing at a time.
     bool happen_alone(std::size_t i) {
-        switch (work_.own[i].kind) {
+        switch (memory_.own[i].kind) {
             case OwnEvent::Kind::kTransition:
                 transition(i);
                 return true;
@@ -252,7 +256,7 @@ class EventSolver {
                 capture(i);
                 return true;
             case OwnEvent::Kind::kRail:
-                work_.contacts.clear();
+                contacts_.clear();
                 add_rails(i);
                 return collide();
         }
@@ -260,8 +264,8 @@ class EventSolver {
     }
 
     bool meet_alone(std::size_t i, std::size_t j) {
-        work_.contacts.clear();
-        work_.contacts.push_back(ball_contact(std::min(i, j), std::max(i, j)));
+        contacts_.clear();
+        contacts_.push_back(ball_contact(std::min(i, j), std::max(i, j)));
         return collide();
     }
 
@@ -272,9 +276,9 @@ class EventSolver {
             return true;
         if (for_each_own(OwnEvent::Kind::kCapture, [this](std::size_t i) { capture(i); }))
             return true;
-        work_.contacts.clear();
+        contacts_.clear();
         for (std::size_t i = 0; i < balls_.size(); ++i) {
-            if (work_.pairs.first(i) == now_) add_pairs(i);
+            if (memory_.pairs.first(i) == now_) add_pairs(i);
         }
         for_each_own(OwnEvent::Kind::kRail, [this](std::size_t i) { add_rails(i); });
         return collide();
@@ -284,7 +288,7 @@ class EventSolver {
     bool for_each_own(OwnEvent::Kind kind, Do act) {
         bool any = false;
         for (std::size_t i = 0; i < balls_.size(); ++i) {
-            if (work_.own[i].t != now_ || work_.own[i].kind != kind) continue;
+            if (memory_.own[i].t != now_ || memory_.own[i].kind != kind) continue;
             any = true;
             act(i);
         }
@@ -292,15 +296,16 @@ class EventSolver {
     }
 
     void transition(std::size_t i) {
-        cloth_.transition(balls_[i], work_.arcs[i], [&](EventKind kind, const MovingBall& before) {
-            run_.record(time(), kind, i, before);
-        });
+        cloth_.transition(balls_[i], memory_.arcs[i],
+                          [&](EventKind kind, const MovingBall& before) {
+                              run_.record(time(), kind, i, before);
+                          });
         refresh(i);
     }
 
     void capture(std::size_t i) {
-        advance(balls_[i], work_.arcs[i], now_);
-        run_.capture(time(), i, work_.own[i].pocket);
+        advance(balls_[i], memory_.arcs[i], now_);
+        run_.capture(time(), i, memory_.own[i].pocket);
         refresh(i);
     }
 
@@ -310,38 +315,42 @@ class EventSolver {
     }
 
     void renew_partners(std::size_t i) {
-        work_.pairs.forget(i, [this](std::size_t j) { plan(j); });
+        memory_.pairs.forget(i, [this](std::size_t j) { plan(j); });
         find_partners(i, 0);
     }
 
     void add_pairs(std::size_t i) {
-        work_.pairs.for_each_partner(i, [&](std::size_t j, Real t) {
-            if (j > i && t == now_) work_.contacts.push_back(ball_contact(i, j));
+        memory_.pairs.for_each_partner(i, [&](std::size_t j, Real t) {
+            if (j > i && t == now_) contacts_.push_back(ball_contact(i, j));
         });
     }
 
     void add_rails(std::size_t i) {
-        const OwnEvent& own = work_.own[i];
+        const OwnEvent& own = memory_.own[i];
         for (std::size_t k = 0; k < own.touch_count; ++k) {
-            work_.contacts.push_back(
+            contacts_.push_back(
                 {Contact::Kind::kRail, i, i, own.touches[k].rail, own.touches[k].normal});
         }
     }
 
     bool collide() {
-        for (const Contact& contact : work_.contacts) {
+        for (const Contact& contact : contacts_) {
             for (const std::size_t i : {contact.a, contact.b})
                 bring_to_now(i);
         }
-        const bool settled = resolve_contacts(set_, cloth_, run_, time(),
-                                              [this](std::size_t lost) { refresh(lost); });
-        if (!settled) return false;
+        lose_balls_over_rails(set_, run_, time());
+        if constexpr (Set::template kHook<hooks::Flight>) {
+            for (const Contact& contact : contacts_) {
+                if (!in_play(balls_[contact.a])) refresh(contact.a);
+            }
+        }
+        if (!resolve_contacts(set_, cloth_, run_, time())) return false;
         // All arcs first: a search looks at both.
-        for (const Contact& contact : work_.contacts) {
+        for (const Contact& contact : contacts_) {
             launch(contact.a);
             if (contact.b != contact.a) launch(contact.b);
         }
-        for (const Contact& contact : work_.contacts) {
+        for (const Contact& contact : contacts_) {
             renew_partners(contact.a);
             if (contact.b != contact.a) renew_partners(contact.b);
         }
@@ -349,18 +358,19 @@ class EventSolver {
     }
 
     void bring_to_now(std::size_t i) {
-        if (work_.arcs[i].since == now_) return;
-        advance(balls_[i], work_.arcs[i], now_);
-        work_.arcs[i].since = now_;
+        if (memory_.arcs[i].since == now_) return;
+        advance(balls_[i], memory_.arcs[i], now_);
+        memory_.arcs[i].since = now_;
     }
 
     const Set& set_;
     ShotRun& run_;
     std::vector<MovingBall>& balls_;
     Cloth<Set> cloth_;
-    Workspace& work_;
+    EventMemory& memory_;
+    std::vector<Contact>& contacts_;
     Real epoch_ = 0;  ///< whole s since the shot's beginning, at which the clock was 0
-    Real now_ = 0;    ///< the clock, s; so are all times in the workspace
+    Real now_ = 0;    ///< the clock, s; so are all times in the memory
 };
 
 }  // namespace poolhall

@@ -1,14 +1,21 @@
 #include "shared/physics/solvers/exact_arc.hpp"
 
-#include "shared/physics/solvers/solvers.hpp"
+#include "shared/physics/solvers/refusals.hpp"
+#include "shared/physics/solvers/solver.hpp"
 #include "shared/physics/solvers/with_kernel.hpp"
 
 namespace poolhall {
 
-void run_exact_arc(std::size_t kernel, ShotRun& run) {
-    with_kernel(kernel, run, [&]<class Kernel>(const Kernel& effects) {
-        ExactArcSolver<Kernel>(effects, run).solve();
-    });
-}
+extern const Solver kExactArcSolver;
+
+const Solver kExactArcSolver{
+    .kind = SolverKind::kExactArc,
+    .has_ticks = true,
+    .refusal = refusal_by_closed_form,
+    .run = [](std::size_t kernel, ShotRun& shot, SolverMemory& memory) {
+        with_kernel(kernel, shot, [&]<class Kernel>(const Kernel& effects) {
+            ExactArcSolver<Kernel>(effects, shot, memory.as<ExactArcMemory>()).solve();
+        });
+    }};
 
 }  // namespace poolhall

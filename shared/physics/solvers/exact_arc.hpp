@@ -1,15 +1,15 @@
 #pragma once
 
-#include "shared/physics/effects/airborne.hpp"
-#include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/motion/cloth.hpp"
 #include "shared/physics/solvers/chords.hpp"
+#include "shared/physics/solvers/exact_arc_memory.hpp"
 #include "shared/physics/solvers/impacts.hpp"
 #include "shared/physics/solvers/instant_search.hpp"
 #include "shared/physics/solvers/shot_run.hpp"
 #include "shared/physics/solvers/ticks.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace poolhall {
@@ -24,14 +24,15 @@ namespace poolhall {
 template <class Set>
 class ExactArcSolver {
   public:
-    ExactArcSolver(const Set& set, ShotRun& run)
+    ExactArcSolver(const Set& set, ShotRun& run, ExactArcMemory& memory)
         : set_(set),
           run_(run),
           balls_(run.balls()),
           cloth_(set, run.scene().gravity),
-          work_(run.workspace()),
-          chords_(work_),
-          search_(set, run, chords_) {}
+          memory_(memory),
+          contacts_(run.workspace().contacts),
+          chords_(balls_, memory),
+          search_(set, run, memory.stepping, chords_) {}
 
     void solve() {
         for (MovingBall& ball : balls_)
@@ -41,13 +42,13 @@ class ExactArcSolver {
             launch(i, 0);
         search_.begin_shot();
         run_ticks(
-            run_, [this] { return !work_.stepping.moving.empty(); },
+            run_, [this] { return !memory_.stepping.moving.empty(); },
             [this](Real begin, Real end) { return tick(begin, end); }, [] {});
     }
 
   private:
-    /// One tick from `begin` to `end`, in s. kRest means that it went well.
-    Outcome tick(Real begin, Real end) {
+    /// One tick from `begin` to `end`, in s.
+    std::optional<Outcome> tick(Real begin, Real end) {
         const Real dt = end - begin;
         Real passed = 0;
         chords_.begin_tick(begin, end);
@@ -64,7 +65,7 @@ class ExactArcSolver {
                 arrive(end);
                 search_.claim_boxes(dt);
                 run_.sample_at(end);
-                return Outcome::kRest;
+                return std::nullopt;
             }
             advance(next);
             passed += next;
@@ -76,24 +77,24 @@ class ExactArcSolver {
 
     void find_first(Real now, Real time) {
         search_.begin(time);
-        for (const std::size_t i : work_.stepping.moving) {
+        for (const std::size_t i : memory_.stepping.moving) {
             const Real t = chords_.ends_within_tick(i, now);
-            if (t <= time && search_.is_first(t)) work_.transitions.push_back(i);
+            if (t <= time && search_.is_first(t)) memory_.stepping.transitions.push_back(i);
         }
         search_.look();
     }
 
     /// Takes the chords of false contacts anew. False if there is none.
     bool renew_chords(Real now, Real t) {
-        std::vector<Real>& ends = work_.stepping.ends;
+        std::vector<Real>& ends = memory_.ends;
         ends.clear();
-        for (const Contact& contact : work_.contacts)
+        for (const Contact& contact : contacts_)
             ends.push_back(chords_.end_of_false_contact(contact, now, t));
         bool any = false;
         for (std::size_t k = 0; k < ends.size(); ++k) {
             if (ends[k] == kNever) continue;
-            chords_.renew(work_.contacts[k].a, now, ends[k]);
-            chords_.renew(work_.contacts[k].b, now, ends[k]);
+            chords_.renew(contacts_[k].a, now, ends[k]);
+            chords_.renew(contacts_[k].b, now, ends[k]);
             any = true;
         }
         return any;
@@ -102,13 +103,13 @@ class ExactArcSolver {
     [[nodiscard]] Vec3 place_after(std::size_t i, Real time) const {
         const MovingBall& ball = balls_[i];
         const Vec3 way = time * chords_.drift(i);
-        if constexpr (Set::template kHas<Airborne>)
+        if constexpr (Set::template kHook<hooks::Flight>)
             return {ball.r.x + way.x, ball.r.y + way.y, ball.height + way.z};
         return {ball.r.x + way.x, ball.r.y + way.y, ball.height};
     }
 
     void advance(Real time) {
-        for (const std::size_t i : work_.stepping.moving) {
+        for (const std::size_t i : memory_.stepping.moving) {
             const Vec3 place = place_after(i, time);
             balls_[i].r = xy(place);
             balls_[i].height = place.z;
@@ -117,18 +118,19 @@ class ExactArcSolver {
 
     /// Every ball at `t`, the end of the time looked at, as its arc has it.
     void arrive(Real t) {
-        for (const std::size_t i : work_.stepping.moving) {
+        for (const std::size_t i : memory_.stepping.moving) {
             const std::size_t partner = balls_[i].partner;
-            balls_[i] = ball_on(work_.launched[i], work_.arcs[i], t);
+            balls_[i] = ball_on(memory_.launched[i], memory_.arcs[i], t);
             balls_[i].partner = partner;
             // Straight on, the way within a tick is more exact than that since the last event.
-            if (work_.arcs[i].a == Vec2{} && work_.arcs[i].drag == 0) balls_[i].r = search_.next(i);
+            if (memory_.arcs[i].a == Vec2{} && memory_.arcs[i].drag == 0)
+                balls_[i].r = search_.next(i);
         }
     }
 
     void launch(std::size_t i, Real t) {
-        work_.launched[i] = balls_[i];
-        work_.arcs[i] = cloth_.arc_of(balls_[i], t);
+        memory_.launched[i] = balls_[i];
+        memory_.arcs[i] = cloth_.arc_of(balls_[i], t);
         chords_.aim(i, t);
     }
 
@@ -136,11 +138,11 @@ class ExactArcSolver {
     /// one group. What is left is found again, 0 s from here.
     bool happen(Real t) {
         bool settled = true;
-        if (!work_.transitions.empty()) {
-            for (const std::size_t i : work_.transitions)
+        if (!memory_.stepping.transitions.empty()) {
+            for (const std::size_t i : memory_.stepping.transitions)
                 end_chord(i, t);
-        } else if (!work_.captures.empty()) {
-            for (const auto& [ball, pocket] : work_.captures)
+        } else if (!memory_.stepping.captures.empty()) {
+            for (const auto& [ball, pocket] : memory_.stepping.captures)
                 run_.capture(t, ball, pocket);
         } else {
             settled = collide(t);
@@ -154,20 +156,21 @@ class ExactArcSolver {
             chords_.aim(i, t);
             return;
         }
-        balls_[i] = work_.launched[i];
-        cloth_.transition(balls_[i], work_.arcs[i], [&](EventKind kind, const MovingBall& before) {
-            run_.record(t, kind, i, before);
-        });
+        balls_[i] = memory_.launched[i];
+        cloth_.transition(
+            balls_[i], memory_.arcs[i],
+            [&](EventKind kind, const MovingBall& before) { run_.record(t, kind, i, before); });
         launch(i, t);
     }
 
     bool collide(Real t) {
-        for (const Contact& contact : work_.contacts) {
+        for (const Contact& contact : contacts_) {
             prepare_for_impact(contact.a, t);
             prepare_for_impact(contact.b, t);
         }
-        if (!resolve_contacts(set_, cloth_, run_, t, [](std::size_t /*lost*/) {})) return false;
-        for (const Contact& contact : work_.contacts) {
+        lose_balls_over_rails(set_, run_, t);
+        if (!resolve_contacts(set_, cloth_, run_, t)) return false;
+        for (const Contact& contact : contacts_) {
             launch(contact.a, t);
             launch(contact.b, t);
         }
@@ -180,7 +183,7 @@ class ExactArcSolver {
         MovingBall& ball = balls_[i];
         if (ball.motion == Motion::kStationary) return;
         const MovingBall found = ball;
-        ball = ball_on(work_.launched[i], work_.arcs[i], t);
+        ball = ball_on(memory_.launched[i], memory_.arcs[i], t);
         ball.r = found.r;
         ball.height = found.height;
         ball.partner = found.partner;
@@ -190,7 +193,8 @@ class ExactArcSolver {
     ShotRun& run_;
     std::vector<MovingBall>& balls_;
     Cloth<Set> cloth_;
-    Workspace& work_;
+    ExactArcMemory& memory_;
+    std::vector<Contact>& contacts_;
     Chords chords_;
     InstantSearch<Set, Chords> search_;
 };

@@ -1,26 +1,31 @@
 #pragma once
 
-#include "shared/physics/effects/airborne.hpp"
-#include "shared/physics/effects/rails.hpp"
 #include "shared/physics/motion/cloth.hpp"
+#include "shared/physics/search/table_hooks.hpp"
 #include "shared/physics/solvers/shot_run.hpp"
 
 #include <vector>
 
 namespace poolhall {
 
-/// Balls that are above the rails when they get there are off the table: `lost(ball)` for each.
-template <class Set, class Lost>
-void lose_balls_over_rails(const Set& set, ShotRun& run, Real t, Lost lost) {
-    if constexpr (Set::template kHas<Airborne>) {
-        const Airborne& airborne = set.template effect<Airborne>();
+/// Takes the balls that are above the rails when they get there off the table.
+template <class Set>
+void lose_balls_over_rails(const Set& set, ShotRun& run, Real t) {
+    if constexpr (Set::template kHook<hooks::Flight>) {
+        const auto& flight = set.template hook<hooks::Flight>();
         std::vector<MovingBall>& balls = run.balls();
         for (const Contact& contact : run.workspace().contacts) {
-            if (contact.kind != Contact::Kind::kRail || !airborne.clears_rail(balls[contact.a]))
+            if (contact.kind != Contact::Kind::kRail || !flight.clears_rail(balls[contact.a]))
                 continue;
             run.lose(t, contact.a);
-            lost(contact.a);
         }
+    }
+}
+
+template <class Set>
+void drop_contacts_of_lost_balls(ShotRun& run) {
+    if constexpr (Set::template kHook<hooks::Flight>) {
+        const std::vector<MovingBall>& balls = run.balls();
         std::erase_if(run.workspace().contacts, [&](const Contact& contact) {
             return !in_play(balls[contact.a]) || !in_play(balls[contact.b]);
         });
@@ -31,13 +36,14 @@ void lose_balls_over_rails(const Set& set, ShotRun& run, Real t, Lost lost) {
 /// exact.
 template <class Set>
 void snap_to_rails(const Set& set, ShotRun& run) {
-    if constexpr (Set::template kHas<Rails>) {
-        // A kernel that has them may simulate a table that has mouths instead.
-        if (!Rails::called_for(run.scene())) return;
+    if constexpr (Set::template kHook<hooks::StraightRails>) {
+        const auto& rails = set.template hook<hooks::StraightRails>();
+        // A kernel that knows them may simulate a table that has mouths instead.
+        if (!rails.is_there()) return;
         for (const Contact& contact : run.workspace().contacts) {
             if (contact.kind != Contact::Kind::kRail) continue;
             MovingBall& ball = run.balls()[contact.a];
-            const Vec2 edge = set.template effect<Rails>().edge(ball.radius);
+            const Vec2 edge = rails.edge(ball.radius);
             if (contact.normal.x != 0) ball.r.x = contact.normal.x * edge.x;
             if (contact.normal.y != 0) ball.r.y = contact.normal.y * edge.y;
         }
@@ -56,13 +62,13 @@ inline void note_partners(const std::vector<Contact>& contacts, std::vector<Movi
 }
 
 /// Lets the workspace's contacts, whose balls are as they are at t, happen as one group, and
-/// records them. False if they do not settle. Of balls that are lost over a rail no contact is
-/// left; `lost(ball)` is called for each.
-template <class Set, class Lost>
-bool resolve_contacts(const Set& set, const Cloth<Set>& cloth, ShotRun& run, Real t, Lost lost) {
+/// records them. Of balls that are lost over a rail no contact is left. False if they do not
+/// settle.
+template <class Set>
+bool resolve_contacts(const Set& set, const Cloth<Set>& cloth, ShotRun& run, Real t) {
     Workspace& work = run.workspace();
     std::vector<MovingBall>& balls = run.balls();
-    lose_balls_over_rails(set, run, t, lost);
+    drop_contacts_of_lost_balls<Set>(run);
     snap_to_rails(set, run);
     work.before.clear();
     for (const Contact& contact : work.contacts) {

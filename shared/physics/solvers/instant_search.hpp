@@ -2,11 +2,10 @@
 
 #include "shared/physics/contact/contact_time.hpp"
 #include "shared/physics/contact/time_of_impact.hpp"
-#include "shared/physics/effects/airborne.hpp"
-#include "shared/physics/effects/effect_set.hpp"
-#include "shared/physics/effects/pool_mouths.hpp"
-#include "shared/physics/effects/rails.hpp"
+#include "shared/physics/motion/cloth_hooks.hpp"
+#include "shared/physics/search/table_hooks.hpp"
 #include "shared/physics/solvers/shot_run.hpp"
+#include "shared/physics/solvers/stepping_memory.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -21,40 +20,33 @@ constexpr double next_above(double x) {
     return std::bit_cast<Real>(std::bit_cast<std::uint64_t>(x) + 1);
 }
 
-/// An effect that can say up to which |x| and |y| the centre of a ball of some radius meets nothing
-/// of it; m.
-template <class Effect>
-concept OuterEffect = requires(const Effect& effect) {
-    effect.clear_area(0.0);
-};
-
 /// Finds what happens first while every ball goes straight and uniformly for some time: captures by
 /// pockets, contacts of balls, contacts with rails. `Paths` tells how they go:
 ///
 ///     Vec3 drift(std::size_t ball) const;                    // its velocity, m/s
 ///     bool have_parted(std::size_t a, std::size_t b) const;  // cannot meet, but by rounding
 ///
-/// Only loose balls (free_boxes.hpp) are looked at. What is found is in the workspace's `captures`
-/// and `contacts`, in the order of effects and balls.
+/// Only loose balls (free_boxes.hpp) are looked at. What is found is in the memory's `captures`
+/// and the workspace's `contacts`, in the order of effects and balls.
 template <class Set, class Paths>
 class InstantSearch {
   public:
-    InstantSearch(const Set& set, ShotRun& run, const Paths& paths)
+    InstantSearch(const Set& set, ShotRun& run, SteppingMemory& memory, const Paths& paths)
         : set_(set),
           paths_(paths),
           table_(run.scene().table),
           balls_(run.balls()),
           work_(run.workspace()),
-          memory_(work_.stepping) {}
+          memory_(memory) {}
 
     /// To be called once, with settled balls.
     void begin_shot() {
         const Vec2 half{table_.length / 2, table_.width / 2};
         memory_.boxes.reset(balls_.size(), {-half.x, half.x, -half.y, half.y}, work_.many_balls);
         memory_.next.resize(balls_.size());
-        memory_.outlooks.clear();
+        memory_.plans.clear();
         for (const MovingBall& ball : balls_)
-            memory_.outlooks.push_back({clear_area(ball.radius), kMostTicks});
+            memory_.plans.push_back({clear_area(ball.radius), kMostTicks});
         note_changes();
     }
 
@@ -115,8 +107,8 @@ class InstantSearch {
 
     void forget() {
         work_.contacts.clear();
-        work_.captures.clear();
-        work_.transitions.clear();
+        memory_.captures.clear();
+        memory_.transitions.clear();
     }
 
     bool find_loose() {
@@ -139,12 +131,12 @@ class InstantSearch {
     void claim_box(std::size_t i, Real dt) {
         const MovingBall& ball = balls_[i];
         if (!in_play(ball) || ball.motion == Motion::kStationary) return;
-        Outlook& outlook = memory_.outlooks[i];
-        if (!outlook.is_alone) return;
+        BoxPlan& plan = memory_.plans[i];
+        if (!plan.is_alone) return;
         const Vec2 step = dt * xy(paths_.drift(i));
         const Real longest = kLongest * ball.radius / (abs(step.x) + abs(step.y));
-        const Vec2 way = std::min(outlook.ticks, longest) * step;
-        const Vec2 clear = outlook.clear;
+        const Vec2 way = std::min(plan.ticks, longest) * step;
+        const Vec2 clear = plan.clear;
         if (abs(ball.r.x) > clear.x || abs(ball.r.y) > clear.y) return;
         // Its way bends.
         const Real margin = (abs(way.x) + abs(way.y)) / 16;
@@ -153,9 +145,9 @@ class InstantSearch {
                       std::max(std::min(ball.r.y, ball.r.y + way.y) - margin, -clear.y),
                       std::min(std::max(ball.r.y, ball.r.y + way.y) + margin, clear.y)};
         if (memory_.boxes.claim(i, box, ball.radius)) {
-            outlook.ticks = std::min(2 * outlook.ticks, kMostTicks);
+            plan.ticks = std::min(2 * plan.ticks, kMostTicks);
         } else {
-            outlook.ticks = std::max(outlook.ticks / 2, Real{1});
+            plan.ticks = std::max(plan.ticks / 2, Real{1});
         }
     }
 
@@ -181,16 +173,17 @@ class InstantSearch {
                 const Vec2 v = xy(paths_.drift(i));
                 if (v == Vec2{}) continue;
                 const std::optional<Capture> capture = pockets.first_capture(balls_[i].r, v, time_);
-                if (capture && is_first(capture->t)) work_.captures.push_back({i, capture->pocket});
+                if (capture && is_first(capture->t))
+                    memory_.captures.push_back({i, capture->pocket});
             }
         });
     }
 
     void find_ball_contacts() {
         for (const std::size_t i : memory_.loose) {
-            memory_.outlooks[i].is_alone = true;
+            memory_.plans[i].is_alone = true;
             memory_.boxes.for_each_near(i, [&](std::size_t j) {
-                memory_.outlooks[i].is_alone = false;
+                memory_.plans[i].is_alone = false;
                 // Two loose balls find each other twice.
                 if (j < i && memory_.boxes.is_loose(j)) return;
                 find_ball_contact(std::min(i, j), std::max(i, j));
@@ -215,7 +208,7 @@ class InstantSearch {
         const MovingBall& b = balls_[j];
         const Vec3 v_a = paths_.drift(i);
         const Vec3 v_b = paths_.drift(j);
-        if constexpr (Set::template kHas<Airborne>) {
+        if constexpr (Set::template kHook<hooks::Flight>) {
             if (a.height != b.height || v_a.z != v_b.z)
                 return straight_contact(between_centres(a, b), v_b - v_a, a.radius + b.radius);
         }
@@ -248,7 +241,7 @@ class InstantSearch {
         const Vec3 v_a = paths_.drift(i);
         const Vec3 v_b = paths_.drift(j);
         const Real speed = std::max({abs(v_a.x), abs(v_a.y), abs(v_b.x), abs(v_b.y)});
-        if constexpr (Set::template kHas<Airborne>) {
+        if constexpr (Set::template kHook<hooks::Flight>) {
             if (is_in_air(i) || is_in_air(j))
                 return touch_and_rest(between_centres(a, b), v_b - v_a, a.radius + b.radius,
                                       std::max({speed, abs(v_a.z), abs(v_b.z)}));
@@ -264,8 +257,8 @@ class InstantSearch {
     }
 
     void find_rail_contacts() {
-        if constexpr (Set::template kHas<Rails>) {
-            const Rails& rails = set_.template effect<Rails>();
+        if constexpr (Set::template kHook<hooks::StraightRails>) {
+            const auto& rails = set_.template hook<hooks::StraightRails>();
             for (const std::size_t i : memory_.loose) {
                 const Vec2 v = xy(paths_.drift(i));
                 if (!rails.may_reach(balls_[i], v, time_)) continue;
@@ -276,8 +269,8 @@ class InstantSearch {
                 }
             }
         }
-        if constexpr (Set::template kHas<PoolMouths>) {
-            const PoolMouths& mouths = set_.template effect<PoolMouths>();
+        if constexpr (Set::template kHook<hooks::Cushions>) {
+            const auto& mouths = set_.template hook<hooks::Cushions>();
             for (const std::size_t i : memory_.loose) {
                 const Vec2 v = xy(paths_.drift(i));
                 if (v == Vec2{} || !mouths.may_reach(balls_[i], v, time_)) continue;

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "shared/physics/contact/time_of_impact.hpp"
-#include "shared/physics/effects/effect_set.hpp"
-#include "shared/physics/effects/pool_mouths.hpp"
-#include "shared/physics/effects/rails.hpp"
 #include "shared/physics/motion/cloth.hpp"
+#include "shared/physics/search/table_hooks.hpp"
 #include "shared/physics/solvers/shot_run.hpp"
 #include "shared/physics/solvers/ticks.hpp"
 
@@ -36,12 +34,12 @@ class OverlapSolver {
   private:
     static constexpr int kMaxReflections = 10000;
 
-    Outcome tick(Real dt, Real end) {
+    std::optional<Outcome> tick(Real dt, Real end) {
         const std::size_t first_event = run_.event_count();
         for (MovingBall& ball : run_.balls())
             ball.r = ball.r + dt * ball.v;
         separate_pairs(dt, end);
-        if constexpr (Set::template kHas<Rails>) {
+        if constexpr (Set::template kHook<hooks::StraightRails>) {
             for (std::size_t i = 0; i < run_.balls().size(); ++i) {
                 if (!bounce(i, dt, end)) return Outcome::kStalled;
             }
@@ -50,7 +48,7 @@ class OverlapSolver {
         kick_all(dt, end);
         run_.sort_events_from(first_event);
         run_.sample_at(end);
-        return Outcome::kRest;
+        return std::nullopt;
     }
 
     void separate_pairs(Real dt, Real end) {
@@ -108,7 +106,7 @@ class OverlapSolver {
     bool bounce(std::size_t i, Real dt, Real end) {
         const MovingBall& ball = run_.balls()[i];
         if (!in_play(ball)) return true;
-        const Vec2 edge = set_.template effect<Rails>().edge(ball.radius);
+        const Vec2 edge = set_.template hook<hooks::StraightRails>().edge(ball.radius);
         for (int round = 0; round < kMaxReflections; ++round) {
             if (abs(ball.r.x) > edge.x) {
                 reflect(i, ball.r.x > 0 ? Rail::kEast : Rail::kWest, dt, end);
@@ -124,7 +122,7 @@ class OverlapSolver {
     void reflect(std::size_t i, Rail rail, Real dt, Real end) {
         MovingBall& ball = run_.balls()[i];
         const bool short_rail = rail == Rail::kEast || rail == Rail::kWest;
-        const Vec2 edges = set_.template effect<Rails>().edge(ball.radius);
+        const Vec2 edges = set_.template hook<hooks::StraightRails>().edge(ball.radius);
         const Real edge = short_rail ? edges.x : edges.y;
         Real& r = short_rail ? ball.r.x : ball.r.y;
         const Real& v = short_rail ? ball.v.x : ball.v.y;

@@ -1,14 +1,10 @@
 #pragma once
 
 #include "shared/physics/contact/contact_time.hpp"
-#include "shared/physics/effects/circle_captures.hpp"
-#include "shared/physics/effects/effect_set.hpp"
-#include "shared/physics/effects/end_game_pockets.hpp"
-#include "shared/physics/effects/pocket_circles.hpp"
-#include "shared/physics/effects/pool_mouths.hpp"
-#include "shared/physics/effects/rails.hpp"
 #include "shared/physics/search/box.hpp"
+#include "shared/physics/search/circle_captures.hpp"
 #include "shared/physics/search/own_event.hpp"
+#include "shared/physics/search/table_hooks.hpp"
 
 namespace poolhall {
 
@@ -32,9 +28,10 @@ class OwnEventSearch {
 
     void find() {
         if (!moves_centre(ball_.motion)) return;
-        if constexpr (Set::template kHas<Rails>) find_rails(set_.template effect<Rails>());
-        if constexpr (Set::template kHas<PoolMouths>)
-            find_cushions(set_.template effect<PoolMouths>());
+        if constexpr (Set::template kHook<hooks::StraightRails>)
+            find_rails(set_.template hook<hooks::StraightRails>());
+        if constexpr (Set::template kHook<hooks::Cushions>)
+            find_cushions(set_.template hook<hooks::Cushions>());
         if (ball_.motion != Motion::kAirborne) find_pockets();
     }
 
@@ -75,7 +72,7 @@ class OwnEventSearch {
         return v < 0 && a > 0 && square > 0 ? (sqrt(square) - v) / a : kNever;
     }
 
-    void find_rails(const Rails& rails) {
+    void find_rails(const StraightRailEffect auto& rails) {
         const Vec2 edge = rails.edge(ball_.radius);
         const Vec2 nose = rails.edge(0);
         if (reach_.high_x >= nose.x)
@@ -88,14 +85,14 @@ class OwnEventSearch {
             touch(time_to(edge.y + ball_.r.y, -ball_.v.y, -arc_.a.y), Rail::kSouth, {0, -1});
     }
 
-    void find_cushions(const PoolMouths& mouths) {
+    void find_cushions(const CushionEffect auto& mouths) {
         if (!mouths.may_reach(reach_)) return;
         for (const CushionLine& line : mouths.table().lines()) {
             const Real gap = dot(line.from - ball_.r, line.normal) - ball_.radius;
             const Real closing = dot(ball_.v, line.normal);
-            const Real v = abs(closing) <= PoolMouths::rounding_of(ball_.v) ? 0 : closing;
+            const Real v = abs(closing) <= rounding_of(ball_.v) ? 0 : closing;
             const Real a = dot(arc_.a, line.normal);
-            const Real dt = PoolMouths::faces(gap) ? time_to(gap, v, a) : time_back(gap, v, a);
+            const Real dt = faces(gap) ? time_to(gap, v, a) : time_back(gap, v, a);
             if (dt <= horizon_ && within(line, place_on(ball_, arc_, arc_.since + dt)))
                 touch_first(dt, line.rail, line.normal);
         }
@@ -108,24 +105,14 @@ class OwnEventSearch {
     }
 
     void find_pockets() {
-        if constexpr (Set::template kHas<EndGamePockets>) {
-            const auto& pockets = set_.template effect<EndGamePockets>();
+        set_.for_each([this]<ArcPocketEffect Pockets>(const Pockets& pockets) {
             if (const auto capture = pockets.first_capture_on(ball_, arc_)) take(*capture);
-        }
-        if constexpr (Set::template kHas<PocketCircles>) {
-            const auto& pockets = set_.template effect<PocketCircles>();
-            for (std::size_t i = 0; pockets.may_reach(reach_) && i < pockets.circles().size();
-                 ++i) {
-                take({time_into(pockets.circles()[i]), static_cast<Pocket>(i)});
-            }
-        }
-        if constexpr (Set::template kHas<PoolMouths>) {
-            const auto& mouths = set_.template effect<PoolMouths>();
-            if (mouths.may_reach(reach_)) {
-                for (const Hole& hole : mouths.table().holes())
-                    take({time_into(hole), hole.pocket});
-            }
-        }
+        });
+        set_.for_each([this]<CirclePocketEffect Pockets>(const Pockets& pockets) {
+            if (!pockets.may_reach(reach_)) return;
+            for (std::size_t i = 0; i < pockets.circles().size(); ++i)
+                take({time_into(pockets.circles()[i]), pockets.pocket_of(i)});
+        });
     }
 
     void take(const Capture& capture) {
@@ -155,7 +142,7 @@ class OwnEventSearch {
         const Vec2 c = ball_.r - place;
         if (dot(c, c) <= distance * distance) {
             const Real approach = -dot(c, ball_.v);
-            const Real rounding = distance * PoolMouths::rounding_of(ball_.v);
+            const Real rounding = distance * rounding_of(ball_.v);
             if (approach > rounding || (approach >= -rounding && dot(c, arc_.a) < 0)) return 0;
             // Only a parabola comes back to what it leaves.
             if (arc_.a == Vec2{} || ball_.motion == Motion::kRolling) return kNever;

@@ -36,7 +36,13 @@ ShotRun::ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotT
         moving.radius = radius_of(scene, ball);
         moving.mass = mass_of(scene, ball);
     }
-    workspace_.contact_solver.prepare(scene);
+    workspace_.contact_solver.prepare({.ball_ball = scene.effects.ball_ball,
+                                       .rail = scene.effects.rail,
+                                       .mu_table = slip_friction(scene),
+                                       .unit_mass = scene.ball.mass,
+                                       .pressed = presses_balls(scene),
+                                       .in_space = scene.effects.airborne.has_value(),
+                                       .balls = scene.balls.size()});
     strike();
 }
 
@@ -59,7 +65,8 @@ bool ShotRun::any_moves() const {
 }
 
 ShotEvent& ShotRun::add_event(Real t, EventKind kind, std::size_t ball, const MovingBall& before) {
-    return trace_.events.emplace_back(t, kind, index_of(ball), before, balls()[ball]);
+    return trace_.events.emplace_back(t, kind, index_of(ball), state_of(before),
+                                      state_of(balls()[ball]));
 }
 
 void ShotRun::record(Real t, EventKind kind, std::size_t ball, const MovingBall& before) {

@@ -1,51 +1,29 @@
 #pragma once
 
 #include "shared/physics/contact/contact.hpp"
-#include "shared/physics/motion/arc.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/physics/scene/trace.hpp"
-#include "shared/physics/search/boxes.hpp"
-#include "shared/physics/search/course.hpp"
-#include "shared/physics/search/own_event.hpp"
-#include "shared/physics/search/pair_times.hpp"
-#include "shared/physics/search/soonest.hpp"
-#include "shared/physics/solvers/stepping_memory.hpp"
 
 #include <span>
 #include <vector>
 
 namespace poolhall {
 
-/// From so many balls on the event solver searches by strips of the table and a tournament; below,
-/// it costs less to look through all. Measured (PHYSICS.md).
+/// From so many balls on the solvers search by strips of the table and a tournament; below, it
+/// costs less to look through all. Measured (PHYSICS.md).
 inline constexpr std::size_t kManyBalls = 24;
 
-/// The memory that a shot needs besides its trace; used again, so that a second shot with no more
-/// balls and events than the first allocates nothing.
+/// The memory that a shot by any solver needs besides its trace; used again, so that a second shot
+/// with no more balls and events than the first allocates nothing. What one solver needs besides is
+/// its own (SolverMemory).
 struct Workspace {
-    struct FoundCapture {
-        std::size_t ball;
-        Pocket pocket;
-    };
-
     std::size_t many_balls = kManyBalls;
     std::vector<MovingBall> balls;
     ContactSolver contact_solver;
     // What happens in one instant.
     std::vector<Contact> contacts;
     std::vector<MovingBall> before;  ///< two a contact: the balls before it was resolved
-    std::vector<FoundCapture> captures;
-    std::vector<std::size_t> transitions;  ///< balls
-    // Of each ball.
-    SteppingMemory stepping;
-    std::vector<Arc> arcs;
-    std::vector<MovingBall> launched;  ///< as it was at its arc's beginning
-    std::vector<OwnEvent> own;
-    std::vector<Course> courses;
-    Boxes reach;  ///< of the arc up to its own event
-    PairTimes pairs;
-    Soonest due;  ///< own event or meeting
 };
 
 /// A shot in progress: its balls, and the trace that is written of it. The solvers drive it.

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/motion/cloth.hpp"
 #include "shared/physics/solvers/impacts.hpp"
 #include "shared/physics/solvers/instant_search.hpp"
 #include "shared/physics/solvers/shot_run.hpp"
+#include "shared/physics/solvers/stepping_memory.hpp"
 #include "shared/physics/solvers/ticks.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace poolhall {
@@ -42,28 +43,28 @@ class UniformPaths {
 template <class Set, Scheme kScheme>
 class SteppingSolver {
   public:
-    SteppingSolver(const Set& set, ShotRun& run)
+    SteppingSolver(const Set& set, ShotRun& run, SteppingMemory& memory)
         : set_(set),
           run_(run),
           balls_(run.balls()),
           cloth_(set, run.scene().gravity),
-          work_(run.workspace()),
+          memory_(memory),
           paths_(balls_),
-          search_(set, run, paths_) {}
+          search_(set, run, memory, paths_) {}
 
     void solve() {
         for (MovingBall& ball : balls_)
             cloth_.settle(ball);
         search_.begin_shot();
         run_ticks(
-            run_, [this] { return !work_.stepping.moving.empty(); },
+            run_, [this] { return !memory_.moving.empty(); },
             [this](Real begin, Real end) { return tick(begin, end); },
             [this] { cloth_.update_spins(balls_); });
     }
 
   private:
-    /// One tick from `begin` to `end`, in s. kRest means that it went well.
-    Outcome tick(Real begin, Real end) {
+    /// One tick from `begin` to `end`, in s.
+    std::optional<Outcome> tick(Real begin, Real end) {
         const Real dt = end - begin;
         Real passed = 0;
         if constexpr (kScheme == Scheme::kSemiImplicit) kick_all(dt, begin);
@@ -80,7 +81,7 @@ class SteppingSolver {
                 if constexpr (kScheme == Scheme::kEuler) kick_all(dt, end);
                 search_.claim_boxes(dt);
                 run_.sample_at(end);
-                return Outcome::kRest;
+                return std::nullopt;
             }
             advance(next);
             passed += next;
@@ -97,7 +98,7 @@ class SteppingSolver {
     }
 
     [[nodiscard]] Real height_after(std::size_t i, Real time) const {
-        if constexpr (Set::template kHas<Airborne>)
+        if constexpr (Set::template kHook<hooks::Flight>)
             return balls_[i].height + time * paths_.drift(i).z;
         return balls_[i].height;
     }
@@ -105,7 +106,7 @@ class SteppingSolver {
     /// To the end of the time that was looked at.
     void arrive(Real time) {
         MovingBall* const balls = balls_.data();
-        for (const std::size_t i : work_.stepping.moving) {
+        for (const std::size_t i : memory_.moving) {
             const Vec2 next = search_.next(i);
             balls[i].height = height_after(i, time);
             balls[i].r.x = next.x;
@@ -114,7 +115,7 @@ class SteppingSolver {
     }
 
     void advance(Real time) {
-        for (const std::size_t i : work_.stepping.moving) {
+        for (const std::size_t i : memory_.moving) {
             balls_[i].height = height_after(i, time);
             balls_[i].r = balls_[i].r + time * balls_[i].v;
         }
@@ -129,11 +130,11 @@ class SteppingSolver {
             run_.record(t, kind, kicked, before);
             changed = true;
         };
-        for (const std::size_t i : work_.stepping.moving) {
+        for (const std::size_t i : memory_.moving) {
             kicked = i;
             cloth_.kick(balls[i], step, happened);
             // Friction may turn two balls towards each other again.
-            if constexpr (Set::template kHas<Sliding>) balls[i].partner = MovingBall::kNobody;
+            if constexpr (Set::template kHook<hooks::Slip>) balls[i].partner = MovingBall::kNobody;
         }
         if (changed) search_.note_changes();
     }
@@ -141,23 +142,24 @@ class SteppingSolver {
     /// Lets happen what the search found: captures, or else the contacts as one group. What is left
     /// is found again, 0 s from here.
     bool happen(Real t) {
-        for (const auto& [ball, pocket] : work_.captures) {
+        for (const auto& [ball, pocket] : memory_.captures) {
             cloth_.update_spin(balls_[ball]);
             run_.capture(t, ball, pocket);
         }
-        if (!work_.captures.empty()) return true;
-        for (const Contact& contact : work_.contacts) {
+        if (!memory_.captures.empty()) return true;
+        for (const Contact& contact : run_.workspace().contacts) {
             cloth_.update_spin(balls_[contact.a]);
             cloth_.update_spin(balls_[contact.b]);
         }
-        return resolve_contacts(set_, cloth_, run_, t, [](std::size_t /*lost*/) {});
+        lose_balls_over_rails(set_, run_, t);
+        return resolve_contacts(set_, cloth_, run_, t);
     }
 
     const Set& set_;
     ShotRun& run_;
     std::vector<MovingBall>& balls_;
     Cloth<Set> cloth_;
-    Workspace& work_;
+    SteppingMemory& memory_;
     UniformPaths paths_;
     InstantSearch<Set, UniformPaths> search_;
 };

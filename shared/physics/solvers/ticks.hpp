@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace poolhall {
 
@@ -12,7 +13,7 @@ namespace poolhall {
 inline constexpr int kMaxContactsPerTick = 10000;
 
 /// Runs `tick(begin, end)` (s) at the scene's rate as long as `any_moves()` or until a limit is
-/// reached. A tick answers kRest when it went well, and otherwise how the shot ends. `at_end()` may
+/// reached. A tick answers how the shot ends with it, or nothing where it goes on. `at_end()` may
 /// then bring the balls up to date. Times are k / hz, not a sum, so that rates agree on the
 /// instants they share.
 template <class AnyMoves, class Tick, class AtEnd>
@@ -22,8 +23,8 @@ void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick, AtEnd at_end) {
     std::uint64_t ticks = 0;
     Real t = 0;
     run.sample_at(0);
-    Outcome outcome = Outcome::kRest;
-    while (outcome == Outcome::kRest && any_moves()) {
+    std::optional<Outcome> outcome;
+    while (!outcome && any_moves()) {
         if (run.event_limit_reached()) {
             outcome = Outcome::kEventLimit;
         } else if (t >= limit) {
@@ -36,7 +37,7 @@ void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick, AtEnd at_end) {
         }
     }
     at_end();
-    run.finish(outcome, t, ticks);
+    run.finish(outcome.value_or(Outcome::kRest), t, ticks);
 }
 
 }  // namespace poolhall

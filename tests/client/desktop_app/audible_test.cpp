@@ -1,6 +1,7 @@
 #include "client/desktop/app/audible.hpp"
 
 #include "shared/game/end_game.hpp"
+#include "shared/table/pool_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,6 +36,37 @@ TEST(Audible, RailIsAsLoudAsTheSpeedTowardsIt) {
     const double along = audible(event, kTable)->strength;
     event.rail = Rail::kEast;
     EXPECT_NEAR(audible(event, kTable)->strength, 4 * along, 1e-12);
+}
+
+/// A ball that meets a rail end of a pool table where its rubber faces along `normal`.
+ShotEvent rattle(Rail jaw, Vec2 r, Vec2 v) {
+    ShotEvent event;
+    event.kind = EventKind::kBallRail;
+    event.rail = jaw;
+    set_xy(event.before[0].r, r);
+    set_xy(event.before[0].v, v);
+    return event;
+}
+
+TEST(Audible, JawIsAsLoudAsTheSpeedTowardsItsRubber) {
+    constexpr double kRadius = 0.028575;
+    const Table table{2.54, 1.27, true, PocketModel::kPool};
+    const double full = audible(collision({2, 0}, {0, 0}), kTable)->strength;
+    const PoolTable pool(table);
+    for (const CushionArc& jaw : pool.arcs()) {
+        const Vec2 middle = normalized(jaw.from + jaw.to);
+        const Vec2 r = jaw.centre + (jaw.radius + kRadius) * middle;
+        const Vec2 aside{middle.y, -middle.x};
+        EXPECT_NEAR(audible(rattle(jaw.rail, r, -2 * middle), table)->strength, full, 1e-9)
+            << name(jaw.rail);
+        EXPECT_NEAR(audible(rattle(jaw.rail, r, 2 * aside), table)->strength, 0, 1e-9)
+            << name(jaw.rail);
+    }
+    for (const CushionLine& facing : pool.lines().subspan(6)) {
+        const Vec2 r = 0.5 * (facing.from + facing.to) - kRadius * facing.normal;
+        EXPECT_NEAR(audible(rattle(facing.rail, r, 2 * facing.normal), table)->strength, full, 1e-9)
+            << name(facing.rail);
+    }
 }
 
 TEST(Audible, SoundComesFromWhereItHappens) {

@@ -10,16 +10,57 @@ namespace {
 
 TEST(Input, EveryKeyOfTheTableHasItsAction) {
     const std::pair<SDL_Keycode, Action> keys[] = {
-        {SDLK_ESCAPE, Action::kExit},      {SDLK_F1, Action::kHelp},
-        {SDLK_F2, Action::kFrameRate},     {SDLK_F3, Action::kStepMode},
-        {SDLK_F4, Action::kCollisionMode}, {SDLK_F5, Action::kSolvers},
-        {SDLK_SPACE, Action::kGo},         {SDLK_p, Action::kScreenshot},
-        {SDLK_m, Action::kMute},           {SDLK_h, Action::kHotSeat},
-        {SDLK_c, Action::kCopyCode}};
+        {SDLK_ESCAPE, Action::kExit},  {SDLK_F2, Action::kFrameRate},
+        {SDLK_F3, Action::kStepMode},  {SDLK_F4, Action::kCollisionMode},
+        {SDLK_F5, Action::kSolvers},   {SDLK_SPACE, Action::kGo},
+        {SDLK_p, Action::kScreenshot}, {SDLK_m, Action::kMute},
+        {SDLK_h, Action::kHotSeat},    {SDLK_c, Action::kCopyCode}};
     Input input;
     for (const auto& [key, action] : keys)
         EXPECT_EQ(input.key_down(key, false), action) << key;
     EXPECT_EQ(input.key_down(SDLK_q, false), std::nullopt);
+}
+
+SDL_Keysym key(SDL_Scancode place, SDL_Keycode letter) {
+    SDL_Keysym result{};
+    result.scancode = place;
+    result.sym = letter;
+    return result;
+}
+
+bool has_latin_letters(SDL_Keycode) {
+    return true;
+}
+
+bool has_none(SDL_Keycode) {
+    return false;
+}
+
+TEST(Meant, LetterCountsWhereverItStands) {
+    EXPECT_EQ(meant(key(SDL_SCANCODE_H, SDLK_h), has_latin_letters), SDLK_h);
+    EXPECT_EQ(meant(key(SDL_SCANCODE_SEMICOLON, SDLK_m), has_latin_letters), SDLK_m) << "AZERTY";
+    EXPECT_EQ(meant(key(SDL_SCANCODE_M, SDLK_COMMA), has_latin_letters), SDLK_COMMA) << "AZERTY";
+    EXPECT_EQ(meant(key(SDL_SCANCODE_I, SDLK_c), has_latin_letters), SDLK_c) << "Dvorak";
+    EXPECT_EQ(meant(key(SDL_SCANCODE_C, SDLK_j), has_latin_letters), SDLK_j) << "Dvorak";
+    EXPECT_EQ(meant(key(SDL_SCANCODE_P, 0xF6), has_latin_letters), 0xF6) << "its P is elsewhere";
+}
+
+TEST(Meant, PlaceCountsWhereTheLayoutHasNoSuchLetter) {
+    const SDL_Keycode russian_r = 0x440;
+    const SDL_Keycode greek_psi = 0x3C8;
+    const SDL_Keycode arabic_alef_maksura = 0x649;
+    const SDL_Keycode hebrew_pe = 0x5E4;
+    EXPECT_EQ(meant(key(SDL_SCANCODE_H, russian_r), has_none), SDLK_h);
+    EXPECT_EQ(meant(key(SDL_SCANCODE_C, greek_psi), has_none), SDLK_c);
+    EXPECT_EQ(meant(key(SDL_SCANCODE_M, arabic_alef_maksura), has_none), SDLK_m);
+    EXPECT_EQ(meant(key(SDL_SCANCODE_P, hebrew_pe), has_none), SDLK_p);
+    EXPECT_EQ(meant(key(SDL_SCANCODE_W, SDLK_QUOTE), has_none), SDLK_w) << "Hebrew";
+}
+
+TEST(Meant, KeysThatAreNoLettersStayWhatTheyAre) {
+    EXPECT_EQ(meant(key(SDL_SCANCODE_F1, SDLK_F1), has_none), SDLK_F1);
+    EXPECT_EQ(meant(key(SDL_SCANCODE_SPACE, SDLK_SPACE), has_none), SDLK_SPACE);
+    EXPECT_EQ(meant(key(SDL_SCANCODE_COMMA, 0x431), has_none), 0x431);
 }
 
 TEST(Input, KeyHeldDownActsOnce) {

@@ -1,7 +1,7 @@
 #include "client/desktop/app/table_controller.hpp"
 #include "client/play/remote_match.hpp"
 #include "protocol/limits.hpp"
-#include "tests/client/desktop_app/fixtures.hpp"
+#include "tests/client/play/fixtures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,15 +34,7 @@ class NetworkTableTest : public ::testing::Test {
             transport_.say(message);
     }
 
-    [[nodiscard]] std::size_t sent_shots() const {
-        std::size_t shots = 0;
-        for (const auto& message : transport_.sent)
-            shots += std::holds_alternative<Shoot>(message.body) ? 1U : 0U;
-        return shots;
-    }
-
-    TemporaryFolder folder_;
-    TokenStore tokens_{folder_.path};
+    TokensInMemory tokens_;
     ScriptedTransport transport_;
     Playback playback_{Pacing::kLive};
     RemoteMatch match_{{"h:1", "", "Anna", false}, transport_, tokens_, playback_};
@@ -58,20 +50,18 @@ TEST_F(NetworkTableTest, WaitingForASecondPlayerShowsTheCode) {
     EXPECT_NE(controller_.view().hint.find("BCD-FGH"), std::string::npos);
     EXPECT_EQ(controller_.view().match.code, "BCD-FGH");
     controller_.act(Action::kGo);
-    EXPECT_EQ(sent_shots(), 0U);
+    EXPECT_EQ(transport_.shots(), 0U);
 }
 
 TEST_F(NetworkTableTest, OnlyTheOneWhoseTurnItIsShoots) {
     enter({Seat{1}});
     EXPECT_EQ(controller_.view().hint, "Anna is aiming");
     controller_.act(Action::kGo);
-    EXPECT_EQ(sent_shots(), 0U);
-    TableState table = new_table();
-    table.turn = Seat{1};
-    transport_.say(TableChanged{table});
+    EXPECT_EQ(transport_.shots(), 0U);
+    transport_.say(TableChanged{table_with_turn(Seat{1})});
     run(1);
     controller_.act(Action::kGo);
-    EXPECT_EQ(sent_shots(), 1U);
+    EXPECT_EQ(transport_.shots(), 1U);
 }
 
 TEST_F(NetworkTableTest, StepModeStepsThroughWhatWasReceivedAndSendsNothing) {
@@ -87,13 +77,36 @@ TEST_F(NetworkTableTest, StepModeStepsThroughWhatWasReceivedAndSendsNothing) {
     for (int step = 0; step < 10; ++step)
         controller_.act(Action::kGo);
     EXPECT_NEAR(playback_.time(), 10.0 / 30, 1e-12);
-    EXPECT_EQ(sent_shots(), 0U);
+    EXPECT_EQ(transport_.shots(), 0U);
     for (int step = 0; step < 400 && !playback_.idle(); ++step)
         controller_.act(Action::kGo);
     run(1);
-    EXPECT_TRUE(controller_.view().aim);
+    EXPECT_FALSE(controller_.view().aim) << "the last step is still looked at";
+    for (int press = 0; press < 10; ++press) {
+        controller_.act(Action::kGo);
+        run(20);
+    }
+    EXPECT_EQ(sent_shots(), 0U);
+    run(60);
     controller_.act(Action::kGo);
-    EXPECT_EQ(sent_shots(), 1U);
+    EXPECT_TRUE(controller_.view().aim);
+    run(60);
+    controller_.act(Action::kGo);
+    EXPECT_EQ(transport_.shots(), 1U);
+}
+
+TEST_F(NetworkTableTest, StepsThroughOnesOwnShotDoNotShootForTheOtherSeatOfAHotSeat) {
+    enter({Seat{0}, Seat{1}});
+    controller_.act(Action::kStepMode);
+    say_all(messages_of_shot(new_table(), kStraight));
+    run(120);
+    for (int step = 0; step < 1000; ++step) {
+        controller_.act(Action::kGo);
+        run(6);
+    }
+    EXPECT_TRUE(playback_.idle());
+    EXPECT_EQ(match_.info().acting_seat(), Seat{1});
+    EXPECT_EQ(sent_shots(), 0U);
 }
 
 TEST_F(NetworkTableTest, StepBeforeItsTickArrivesSaysSo) {
@@ -166,7 +179,7 @@ TEST_F(NetworkTableTest, LostConnectionIsShownAndSpaceTriesAtOnce) {
     EXPECT_EQ(controller_.view().match.link, Link::kLost);
     controller_.act(Action::kGo);
     EXPECT_EQ(transport_.retries, 1);
-    EXPECT_EQ(sent_shots(), 0U);
+    EXPECT_EQ(transport_.shots(), 0U);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "client/desktop/app/table_controller.hpp"
-#include "client/play/practice_match.hpp"
+#include "client/play/local_match.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
+#include "tests/client/play/fixtures.hpp"
 #include "tests/shared/game/pool_settings.hpp"
 
 #include <gtest/gtest.h>
@@ -12,10 +13,11 @@ namespace {
 /// Practice with physics of the player's choice.
 struct Practice {
     explicit Practice(GameSettings chosen)
-        : settings(std::move(chosen)), match(kEndGameRules, "Anna", playback, settings) {}
+        : settings(std::move(chosen)),
+          match(practice_spec(kEndGameRules, settings), {"Anna", "The house"}, playback) {}
 
     void shoot_to_the_end(Vec2 direction) {
-        match.shoot(direction);
+        match.make(Shoot{{.direction = direction}});
         for (int frame = 0; !playback.idle() && frame < 6000; ++frame)
             pass(1.0 / 60);
     }
@@ -24,30 +26,30 @@ struct Practice {
 
     GameSettings settings;
     Playback playback{Pacing::kSteady};
-    PracticeMatch match;
+    LocalMatch match;
     TableController controller{match, playback};
     double now = 10;
 };
 
-/// The rules' outcome of a shot that sinks nothing: else the next game would begin by itself.
-ShotOutcome passing_shot(const GameState& state) {
+/// A shot that sinks nothing: else the next game would begin by itself.
+Turn passing_shot(const GameState& state) {
     double y = 0.1;
-    ShotOutcome outcome = kEndGameRules.play(state, {{-1, y}});
-    while (outcome.state.over)
-        outcome = kEndGameRules.play(state, {{-1, y += 0.1}});
-    return outcome;
+    Turn turn = turn_of(state, {-1, y});
+    while (turn.state.over)
+        turn = turn_of(state, {-1, y += 0.1});
+    return turn;
 }
 
 TEST(PracticePhysics, ShotsAreThoseOfTheChosenSolver) {
     for (const SolverSpec& solver : test::kPlayableSolvers) {
         Practice practice(test::pool_settings(solver));
         const GameState state = new_game(kEndGameRules, Seat{0}, practice.settings);
-        EXPECT_EQ(practice.match.info().table->scene, state.scene);
-        const ShotOutcome outcome = passing_shot(state);
-        practice.shoot_to_the_end(outcome.scene.strike->direction);
+        EXPECT_EQ(practice.match.info().table->state.scene, state.scene);
+        const Turn turn = passing_shot(state);
+        practice.shoot_to_the_end(turn.shot->scene.strike->direction);
         EXPECT_TRUE(practice.playback.idle());
-        EXPECT_EQ(practice.match.info().table->scene, outcome.state.scene);
-        EXPECT_EQ(practice.match.info().kernel, outcome.trace.kernel);
+        EXPECT_EQ(practice.match.info().table->state.scene, turn.state.scene);
+        EXPECT_EQ(practice.match.info().kernel, turn.shot->trace.kernel);
     }
 }
 
@@ -56,9 +58,9 @@ TEST(PracticePhysics, AreKeptForTheNextGame) {
     const Vec2 corner{-end_game::kLength / 2 - end_game::kBaseLineX, end_game::kWidth / 2};
     practice.shoot_to_the_end(corner);
     ASSERT_EQ(practice.match.info().table->phase, protocol::Phase::kOver);
-    practice.match.ask_new_game();
+    practice.match.make(Agree{});
     EXPECT_EQ(practice.match.info().table->game_number, 2U);
-    EXPECT_EQ(practice.match.info().table->scene,
+    EXPECT_EQ(practice.match.info().table->state.scene,
               new_game(kEndGameRules, Seat{0}, practice.settings).scene);
 }
 
@@ -68,22 +70,21 @@ TEST(PracticePhysics, ShotThatIsOverAtOnceIsHeard) {
     effects.rail = {RailModel::kRestitution, 0, 0.2, 0.036576};
     Practice dead({effects, SolverSpec{SolverKind::kEvent, 30}});
     dead.shoot_to_the_end({-1, 0});  // the cue ball stops dead at the rail
-    const double edge = inset(dead.match.info().table->scene.table, BallSpec{}.radius).x;
-    ASSERT_EQ(dead.match.info().table->scene.balls[0].state.r.x, -edge);
-    (void)dead.controller.take_heard();
+    const double edge = inset(dead.match.info().table->state.scene.table, BallSpec{}.radius).x;
+    ASSERT_EQ(dead.match.info().table->state.scene.balls[0].state.r.x, -edge);
+    (void)dead.controller.take_sounds();
     dead.shoot_to_the_end({-1, 0});
     EXPECT_TRUE(dead.playback.idle());
-    EXPECT_GE(dead.controller.take_heard().size(), 2U) << "the strike and the rail";
+    EXPECT_GE(dead.controller.take_sounds().size(), 2U) << "the strike and the rail";
 }
 
 TEST(PracticePhysics, AreNamedWhereTheyAreNotTheGamesOwn) {
     Practice own({});
     own.pass(0.1);
     EXPECT_EQ(own.controller.view().physics, "");
-    own.controller.act(Action::kFrameRate);
-    EXPECT_EQ(own.controller.view().physics, "euler 30 Hz");
+    EXPECT_EQ(own.controller.view(60).physics, "euler 30 Hz") << "beside the frame rate";
     own.shoot_to_the_end({1, 0.3});
-    EXPECT_EQ(own.controller.view().physics, "euler 30 Hz, drag_rails_pockets");
+    EXPECT_EQ(own.controller.view(60).physics, "euler 30 Hz, drag_rails_pockets");
 
     Practice chosen(test::pool_settings());
     chosen.pass(0.1);

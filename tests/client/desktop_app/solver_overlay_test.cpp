@@ -1,11 +1,11 @@
 #include "client/desktop/app/solver_overlay.hpp"
 
 #include "client/desktop/app/table_controller.hpp"
-#include "client/play/practice_match.hpp"
+#include "client/play/local_match.hpp"
 #include "client/play/remote_match.hpp"
 #include "protocol/limits.hpp"
 #include "shared/physics/simulate.hpp"
-#include "tests/client/desktop_app/fixtures.hpp"
+#include "tests/client/play/fixtures.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -18,8 +18,8 @@ namespace {
 /// A straight first shot of the end game.
 Shot first_shot(std::uint32_t number = 1) {
     const GameState game = kEndGameRules.new_game(Seat{0});
-    const ShotOutcome outcome = kEndGameRules.play(game, {kStraight});
-    return {number, outcome.scene, game.cue_ball, ShotTimeline(positions_of(outcome.scene)), {}};
+    const SimulatedShot shot = *turn_of(game, kStraight).shot;
+    return {number, shot.scene, game.cue_ball, ShotTimeline(positions_of(shot.scene)), {}};
 }
 
 /// Waits for what is being computed.
@@ -153,7 +153,7 @@ double SolversAtTheTable::clock_s = 10;
 
 TEST_F(SolversAtTheTable, InPracticeTheGamesOwnSolverGoesAsThePlayedBalls) {
     Playback playback{Pacing::kSteady};
-    PracticeMatch match{kEndGameRules, "Anna", playback};
+    LocalMatch match{practice_spec(kEndGameRules), {"Anna", "The house"}, playback};
     TableController controller{match, playback};
     controller.act(Action::kSolvers);
     EXPECT_TRUE(controller.view().solvers.empty());
@@ -170,7 +170,7 @@ TEST_F(SolversAtTheTable, InPracticeTheGamesOwnSolverGoesAsThePlayedBalls) {
 
 TEST_F(SolversAtTheTable, StepModeMovesTheirBallsStepByStep) {
     Playback playback{Pacing::kSteady};
-    PracticeMatch match{kEndGameRules, "Anna", playback};
+    LocalMatch match{practice_spec(kEndGameRules), {"Anna", "The house"}, playback};
     TableController controller{match, playback};
     controller.act(Action::kStepMode);
     controller.act(Action::kSolvers);
@@ -190,8 +190,7 @@ TEST_F(SolversAtTheTable, StepModeMovesTheirBallsStepByStep) {
 }
 
 TEST_F(SolversAtTheTable, OverTheNetworkTheSceneOfTheShotIsEnough) {
-    TemporaryFolder folder;
-    TokenStore tokens{folder.path};
+    TokensInMemory tokens;
     ScriptedTransport transport;
     Playback playback{Pacing::kLive};
     RemoteMatch match{{"h:1", "", "Anna", false}, transport, tokens, playback};

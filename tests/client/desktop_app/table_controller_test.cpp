@@ -1,7 +1,7 @@
 #include "client/desktop/app/table_controller.hpp"
 
-#include "client/play/practice_match.hpp"
-#include "tests/client/desktop_app/fixtures.hpp"
+#include "client/play/local_match.hpp"
+#include "tests/client/play/fixtures.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ class PracticeTest : public ::testing::Test {
     }
 
     Playback playback_{Pacing::kSteady};
-    PracticeMatch match_{kEndGameRules, "Anna", playback_};
+    LocalMatch match_{practice_spec(kEndGameRules), {"Anna", "The house"}, playback_};
     TableController controller_{match_, playback_};
     Input input_;
     double now_ = 10;
@@ -55,7 +55,9 @@ TEST_F(PracticeTest, BeginsAsTheOriginalDoes) {
     EXPECT_EQ(view.balls[1].r, (Vec2{end_game::kFootSpotX, 0}));
     ASSERT_TRUE(view.aim);
     EXPECT_TRUE(view.aim->prediction.ghost_ball);
-    EXPECT_EQ(view.base_line_x, end_game::kBaseLineX);
+    ASSERT_TRUE(view.placement);
+    EXPECT_EQ(view.placement->low.x, end_game::kBaseLineX);
+    EXPECT_EQ(view.placement->high.x, end_game::kBaseLineX);
     EXPECT_EQ(view.match.link, Link::kOffline);
     EXPECT_NE(view.hint.find("Space"), std::string::npos);
 }
@@ -113,19 +115,18 @@ TEST_F(PracticeTest, CueBallStaysWhereItIsAfterTheFirstShot) {
     const Vec2 before = ball(0);
     hold(SDLK_UP, 0.5);
     EXPECT_EQ(ball(0), before);
-    EXPECT_FALSE(controller_.view().base_line_x);
+    EXPECT_FALSE(controller_.view().placement);
 }
 
 TEST_F(PracticeTest, ShotOnTheScreenIsTheSimulatedOne) {
     aim({1, 0.03});
-    const ShotOutcome outcome =
-        kEndGameRules.play(game_state_of(*match_.info().table), {{1, 0.03}});
+    const ShotTrace trace = turn_of(match_.info().table->state, {1, 0.03}).shot->trace;
     press(SDLK_F3);
     press(SDLK_SPACE);
-    for (std::size_t k = 1; k < outcome.trace.sample_count() - 1; ++k) {
+    for (std::size_t k = 1; k < trace.sample_count() - 1; ++k) {
         press(SDLK_SPACE);
         for (std::size_t i = 0; i < 2; ++i) {
-            EXPECT_NEAR(norm(ball(i) - xy(outcome.trace.sample(k, i))), 0, 1e-9)
+            EXPECT_NEAR(norm(ball(i) - xy(trace.sample(k, i))), 0, 1e-9)
                 << "step " << k << " ball " << i;
         }
     }
@@ -150,6 +151,95 @@ TEST_F(PracticeTest, StepModeHoldsTimeAndLeavesARingPerMovingBall) {
     EXPECT_EQ(controller_.view().trail.size(), 2U);
 }
 
+/// Steps to the end of a shot, and looks at it.
+class EndOfSteps : public PracticeTest {
+  protected:
+    void SetUp() override {
+        press(SDLK_F3);
+        shoot_and_step({0, 1});
+    }
+
+    void shoot_and_step(Vec2 direction) {
+        aim(direction);
+        press(SDLK_SPACE);
+        ASSERT_FALSE(playback_.idle());
+        while (!playback_.idle())
+            press(SDLK_SPACE);
+        run(0.05);
+    }
+
+    [[nodiscard]] std::uint32_t shots() const { return match_.info().table->shot; }
+};
+
+TEST_F(EndOfSteps, SpaceThatGoesOnBeingPressedNeverShoots) {
+    const std::uint32_t before = shots();
+    for (int i = 0; i < 200; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_EQ(shots(), before);
+    EXPECT_TRUE(playback_.idle());
+}
+
+TEST_F(EndOfSteps, SpaceGoesBackToTheTableAndThenShoots) {
+    EXPECT_NE(controller_.view().hint.find("End of the shot"), std::string::npos);
+    EXPECT_FALSE(controller_.view().aim);
+    run(1);
+    EXPECT_FALSE(controller_.view().aim) << "it stays until it is left";
+    press(SDLK_SPACE);
+    EXPECT_TRUE(playback_.idle());
+    EXPECT_TRUE(controller_.view().aim);
+    EXPECT_NE(controller_.view().hint.find("Space shoots"), std::string::npos);
+    run(1);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
+TEST_F(EndOfSteps, NeitherKeysNorMouseTouchTheNextShot) {
+    run(1);
+    const Vec2 aimed = match_.info().table->aim;
+    hold(SDLK_LEFT, 0.5);
+    controller_.pointer_moved({0.1, 0.1});
+    controller_.pointer_pressed({0.1, 0.1});
+    EXPECT_EQ(match_.info().table->aim, aimed);
+    EXPECT_TRUE(playback_.idle());
+    EXPECT_TRUE(controller_.view().aim) << "the click goes back to the table";
+}
+
+TEST_F(EndOfSteps, LeavingStepModeLeavesItToo) {
+    press(SDLK_F3);
+    EXPECT_TRUE(controller_.view().aim);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
+TEST_F(PracticeTest, SpaceAfterTheLastStepOfAGameStartsNoShotOfTheNext) {
+    press(SDLK_F3);
+    aim(direction_with(Verdict::kScratch));
+    press(SDLK_SPACE);
+    run(0.1);
+    while (!playback_.idle())
+        press(SDLK_SPACE);
+    ASSERT_TRUE(controller_.view().banner);
+    for (int i = 0; i < 10; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_TRUE(controller_.view().banner) << "nobody had the time to read it";
+    run(1);
+    press(SDLK_SPACE);
+    run(0.1);
+    EXPECT_FALSE(controller_.view().banner);
+    for (int i = 0; i < 10; ++i) {
+        press(SDLK_SPACE);
+        run(0.2);
+    }
+    EXPECT_TRUE(playback_.idle());
+    run(1);
+    press(SDLK_SPACE);
+    EXPECT_FALSE(playback_.idle());
+}
+
 TEST_F(PracticeTest, LeavingStepModeGoesOnAtNormalSpeed) {
     press(SDLK_F3);
     press(SDLK_SPACE);
@@ -169,8 +259,8 @@ TEST_F(PracticeTest, CollisionModeMarksEveryTimeOfImpact) {
     EXPECT_TRUE(controller_.view().collision_mode);
     std::size_t expected = 0;
     const auto game = kEndGameRules.new_game(Seat{0});
-    const auto outcome = kEndGameRules.play(game, {kEndGameRules.default_aim(game)});
-    for (const ShotEvent& event : outcome.trace.events) {
+    const Turn turn = turn_of(game, kEndGameRules.legal(game).aim);
+    for (const ShotEvent& event : turn.shot->trace.events) {
         if (event.kind == EventKind::kBallBall) expected += 2;
         if (event.kind == EventKind::kBallRail) expected += 1;
     }
@@ -225,28 +315,9 @@ TEST_F(PracticeTest, WinIsCountedOnceEverythingRests) {
     EXPECT_EQ(controller_.view().match.seats[0].wins, 1U);
     EXPECT_TRUE(controller_.view().balls[1].sunk);
     int announced = 0;
-    for (const Heard& heard : controller_.take_heard())
-        announced += std::holds_alternative<GameEnded>(heard) ? 1 : 0;
+    for (const TableSound& sound : controller_.take_sounds())
+        announced += std::holds_alternative<GameEnded>(sound) ? 1 : 0;
     EXPECT_EQ(announced, 1);
-}
-
-TEST_F(PracticeTest, TogglesTurnOnAndOff) {
-    for (int round = 0; round < 2; ++round) {
-        const bool on = round == 0;
-        press(SDLK_F1);
-        press(SDLK_F2);
-        press(SDLK_m);
-        EXPECT_EQ(controller_.view().help, on);
-        EXPECT_EQ(controller_.shows_frame_rate(), on);
-        EXPECT_EQ(controller_.view().muted, on);
-    }
-}
-
-TEST_F(PracticeTest, SpaceClosesTheHelpBeforeItShoots) {
-    press(SDLK_F1);
-    press(SDLK_SPACE);
-    EXPECT_FALSE(controller_.view().help);
-    EXPECT_TRUE(playback_.idle());
 }
 
 TEST_F(PracticeTest, MouseAimsShootsAndDragsTheCueBall) {

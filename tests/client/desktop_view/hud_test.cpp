@@ -29,6 +29,8 @@ TEST(ConnectionLineTest, CountsSpectatorsAndFrames) {
     state.match.spectators = 3;
     state.frames_per_second = 59.94;
     EXPECT_EQ(connection_line(state), "Offline  \xC2\xB7  3 watching  \xC2\xB7  60 fps");
+    state.frames_per_second = 0;
+    EXPECT_EQ(connection_line(state), "Offline  \xC2\xB7  3 watching  \xC2\xB7  at rest");
 }
 
 TEST(ConnectionLineTest, NamesThePhysics) {

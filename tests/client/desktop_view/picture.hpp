@@ -1,7 +1,10 @@
 #pragma once
 
 #include "client/desktop/render/sdl_ptr.hpp"
+#include "client/desktop/view/panels.hpp"
+#include "client/desktop/view/table_painter.hpp"
 #include "client/desktop/view/table_view.hpp"
+#include "tests/client/desktop_view/sample_views.hpp"
 
 #include <SDL2/SDL.h>
 
@@ -9,20 +12,39 @@
 
 namespace poolhall::client {
 
-/// A view on a surface in memory, drawn by SDL's software renderer.
+/// Views on a surface in memory, drawn by SDL's software renderer.
 class Picture {
   public:
     explicit Picture(SDL_Point size)
         : surface_(SDL_CreateRGBSurfaceWithFormat(0, size.x, size.y, 32, SDL_PIXELFORMAT_ARGB8888)),
           renderer_(SDL_CreateSoftwareRenderer(surface_.get())),
-          view_(std::make_unique<TableView>(renderer_.get())) {}
+          drawing_(std::make_unique<DrawingSurface>(renderer_.get())) {}
 
-    void draw(const ViewState& state, double now_s = 0) {
-        view_->draw(state, now_s);
+    /// Draws the view; then whatever `over` draws over it.
+    template <class Over>
+    void draw(const ViewState& state, double now_s, Over over) {
+        drawing_->canvas.begin(to_colour(kRoom));
+        view_.draw(*drawing_, state, now_s);
+        over(*drawing_);
+        drawing_->canvas.finish();
         SDL_RenderFlush(renderer_.get());
     }
 
-    [[nodiscard]] TableView& view() { return *view_; }
+    void draw(const ViewState& state, double now_s = 0) {
+        draw(state, now_s, [](DrawingSurface&) {});
+    }
+
+    void draw(const samples::NamedView& view) {
+        draw(view.state, 1, [&view](DrawingSurface& surface) {
+            if (view.help) draw_help(surface.canvas, surface.text);
+        });
+    }
+
+    /// The device has lost its textures.
+    void reset() {
+        drawing_->reset();
+        view_.reset();
+    }
 
     [[nodiscard]] SDL_Renderer* renderer() { return renderer_.get(); }
 
@@ -48,7 +70,8 @@ class Picture {
 
     SurfacePtr surface_;
     std::unique_ptr<SDL_Renderer, DestroyRenderer> renderer_;
-    std::unique_ptr<TableView> view_;
+    std::unique_ptr<DrawingSurface> drawing_;
+    TableView view_;
 };
 
 }  // namespace poolhall::client

@@ -1,5 +1,6 @@
 #include "tests/client/desktop_view/sample_views.hpp"
 
+#include "client/play/isolated.hpp"
 #include "shared/game/end_game.hpp"
 
 namespace poolhall::client::samples {
@@ -13,7 +14,7 @@ constexpr Vec2 kEightSpot{end_game::kFootSpotX, 0};
 ViewState with_banner(Tone tone, const std::string& title, const std::string& subtitle) {
     ViewState state = start();
     state.aim.reset();
-    state.base_line_x.reset();
+    state.placement.reset();
     state.banner = Banner{title, subtitle, tone};
     return state;
 }
@@ -40,7 +41,7 @@ ViewState lost() {
 ViewState stepping() {
     ViewState state = start();
     state.aim.reset();
-    state.base_line_x.reset();
+    state.placement.reset();
     state.step_mode = true;
     state.hint = "Space for the next 1/30 s";
     constexpr int kSteps = 22;
@@ -79,7 +80,7 @@ ViewState collisions() {
 ViewState solvers() {
     ViewState state = start();
     state.aim.reset();
-    state.base_line_x.reset();
+    state.placement.reset();
     const Vec2 corner{0.60, 0.33};
     for (int i = 0; i < 3; ++i) {
         const Vec2 end{-0.2 + 0.07 * i, -0.21 + 0.02 * i};
@@ -127,9 +128,36 @@ ViewState practice() {
     return state;
 }
 
-ViewState help() {
-    ViewState state = aiming();
-    state.help = true;
+/// A table of another kind, with a ball on its cloth and one in its first pocket.
+ViewState on_table(const Table& table) {
+    ViewState state = practice();
+    state.aim.reset();
+    state.placement.reset();
+    state.table = table;
+    state.balls = {{"cue", {-0.4, 0.1}, false}, {"8", {-table.length / 2, table.width / 2}, true}};
+    return state;
+}
+
+ViewState pool_table() {
+    return on_table({2.54, 1.27, true, PocketModel::kPool});
+}
+
+ViewState circles(bool rails) {
+    return on_table(
+        {2,
+         1,
+         rails,
+         PocketModel::kCircles,
+         {{"corner", {-0.97, 0.47}, 0.06}, {"middle", {0, 0}, 0.05}, {"edge", {0.5, -0.5}, 0.08}}});
+}
+
+/// Names of two players in scripts that DejaVu Sans has not, or that run from right to left.
+ViewState named(const std::string& first, const std::string& second) {
+    ViewState state = start();
+    state.match.seats[0].name = isolated(first);
+    state.match.seats[1].name = isolated(second);
+    state.hint = isolated(first) + " is aiming";
+    state.status = isolated(second) + " is back";
     return state;
 }
 
@@ -140,7 +168,8 @@ ViewState start() {
     state.table = {end_game::kLength, end_game::kWidth, true, PocketModel::kEndGame};
     state.ball_radius = kRadius;
     state.balls = {{"cue", kCueSpot, false}, {"8", kEightSpot, false}};
-    state.base_line_x = end_game::kBaseLineX;
+    const double edge = end_game::kWidth / 2 - kRadius;
+    state.placement = Region{{end_game::kBaseLineX, -edge}, {end_game::kBaseLineX, edge}};
     state.aim = AimView{kCueSpot, {1, 0}, {}};
     state.match.code = "BCDFGH";
     state.match.seats = {SeatView{"Ada", true, true, false, 0},
@@ -178,22 +207,31 @@ std::vector<NamedView> all() {
         {"solvers", solvers()},
         {"won", won()},
         {"lost", lost()},
-        {"help", help()},
+        {"help", aiming(), {1280, 720}, true},
         {"connection-lost", connection_lost()},
         {"waiting", waiting()},
         {"practice", practice()},
         {"names", awkward_names()},
+        {"pool-table", pool_table()},
+        {"circles", circles(true)},
+        {"circles-without-rails", circles(false)},
+        {"carom", on_table({2.84, 1.42, true, PocketModel::kNone})},
+        {"names-arabic-hebrew", named("محمد العربي", "שרה לוי!")},
+        {"names-chinese-japanese", named("王小明", "さくら 山田")},
+        {"names-korean-thai", named("김철수", "สมชาย ใจดี")},
+        {"names-devanagari-emoji", named("प्रिया शर्मा", "Ann 🎱👩‍🚀🇨🇭")},
     };
     const auto sized = [&views](const std::string& name, ViewState state, SDL_Point size) {
-        views.push_back({name, std::move(state), size});
+        views.push_back({name, std::move(state), size, false});
     };
     sized("tiny", aiming(), {480, 320});
-    sized("tiny-help", help(), {480, 320});
+    views.push_back({"tiny-help", aiming(), {480, 320}, true});
     sized("tiny-lost", lost(), {480, 320});
     sized("tiny-solvers", solvers(), {480, 320});
     sized("wide", collisions(), {1400, 420});
     sized("tall", awkward_names(), {600, 1000});
     sized("hidpi", stepping(), {2560, 1440});
+    sized("hidpi-pool-table", pool_table(), {2560, 1440});
     sized("huge", aiming(), {3840, 2160});
     return views;
 }

@@ -19,6 +19,7 @@ struct NamedView {
     std::string name;
     ViewState state;
     SDL_Point size{1280, 720};  ///< of the output, px
+    bool help = false;          ///< the help lies over it
 };
 
 [[nodiscard]] std::vector<NamedView> all();

@@ -4,6 +4,7 @@
 #include "client/desktop/view/layout.hpp"
 #include "client/desktop/view/overlays.hpp"
 #include "client/desktop/view/table_painter.hpp"
+#include "shared/table/pool_table.hpp"
 #include "tests/client/desktop_view/picture.hpp"
 #include "tests/client/desktop_view/sample_views.hpp"
 
@@ -243,13 +244,64 @@ TEST(TableViewTest, WonAndLostDifferInShapeNotOnlyInColour) {
     EXPECT_GT(shape, 200);
 }
 
-TEST(TableViewTest, EveryViewCanBeDrawnAtAnySize) {
+TEST(TableViewTest, EveryViewCoversTheWholeOutputWhateverItsSize) {
+    constexpr Uint32 kUntouched = 0xFF00FF01;
     for (const SDL_Point size : {SDL_Point{1, 1}, SDL_Point{7, 90}, SDL_Point{90, 7},
                                  SDL_Point{64, 64}, SDL_Point{320, 200}}) {
         Picture picture(size);
-        for (const samples::NamedView& view : samples::all())
-            picture.draw(view.state);
+        for (const samples::NamedView& view : samples::all()) {
+            SDL_FillRect(picture.surface(), nullptr, kUntouched);
+            picture.draw(view);
+            int untouched = 0;
+            for (int y = 0; y < size.y; ++y) {
+                for (int x = 0; x < size.x; ++x) {
+                    const SDL_Color c = picture.at({static_cast<float>(x), static_cast<float>(y)});
+                    untouched += c.r == 255 && c.g == 0 && c.b == 1 ? 1 : 0;
+                }
+            }
+            EXPECT_EQ(untouched, 0) << view.name << ' ' << size.x << " x " << size.y;
+        }
     }
+}
+
+/// A table of each kind at rest.
+ViewState bare(const Table& table) {
+    ViewState state = samples::start();
+    state.aim.reset();
+    state.placement.reset();
+    state.balls.clear();
+    state.table = table;
+    return state;
+}
+
+TEST_P(AtSize, PoolTableHasItsHolesAndMouthsWhereTheyAreInThePhysics) {
+    state = bare({2.54, 1.27, true, PocketModel::kPool});
+    layout = layout_for(state, GetParam());
+    picture.draw(state);
+    const PoolTable pool(state.table);
+    for (const Hole& hole : pool.holes())
+        EXPECT_LT(brightness(picture.at(layout.to_pixels(hole.centre))), 60) << name(hole.pocket);
+    for (const CushionLine& nose : pool.lines().first(6)) {
+        // Rubber behind the nose, cloth before it: both are green.
+        const Vec2 middle = 0.5 * (nose.from + nose.to);
+        EXPECT_TRUE(is_green(picture.at(layout.to_pixels(middle + 0.02 * nose.normal))));
+        EXPECT_TRUE(is_green(picture.at(layout.to_pixels(middle - 0.02 * nose.normal))));
+    }
+    state.balls = {{"8", pool.holes()[0].centre + Vec2{0.04, -0.03}, true}};
+    picture.draw(state);
+    EXPECT_GT(brightness(picture.at(layout.to_pixels(pool.holes()[0].centre))), 80)
+        << "a sunk ball lies in the hole";
+}
+
+TEST_P(AtSize, CirclesAreHolesUnderUnbrokenRails) {
+    const Vec2 edge{0.5, -0.5};
+    state = bare({2, 1, true, PocketModel::kCircles, {{"m", {0, 0}, 0.05}, {"e", edge, 0.08}}});
+    layout = layout_for(state, GetParam());
+    picture.draw(state);
+    EXPECT_LT(brightness(picture.at(layout.to_pixels({0, 0}))), 60);
+    EXPECT_TRUE(is_green(picture.at(layout.to_pixels({0.075, 0}))));
+    EXPECT_LT(brightness(picture.at(layout.to_pixels(edge + Vec2{0, 0.02}))), 60);
+    EXPECT_TRUE(is_green(picture.at(layout.to_pixels(edge - Vec2{0, 0.035})))) << "rubber";
 }
 
 TEST(TableViewTest, ATableWithoutRailsOrPocketsIsAllCloth) {
@@ -272,13 +324,9 @@ TEST(TableViewTest, ALostDeviceIsDrawnAnew) {
     Picture lost(size);
     steady.draw(state);
     lost.draw(state);
-    for (const Uint32 type : {SDL_RENDER_DEVICE_RESET, SDL_RENDER_TARGETS_RESET}) {
-        SDL_Event event{};
-        event.type = type;
-        lost.view().handle_event(event);
-        lost.draw(state);
-        EXPECT_EQ(differing(steady, lost, {400, 250}, 400), 0);
-    }
+    lost.reset();
+    lost.draw(state);
+    EXPECT_EQ(differing(steady, lost, {400, 250}, 400), 0);
 }
 
 // A real window of SDL's dummy video driver.
@@ -312,7 +360,8 @@ class InWindow : public testing::Test {
 };
 
 TEST_F(InWindow, ThePictureFollowsTheWindowsSize) {
-    TableView view(renderer);
+    DrawingSurface surface(renderer);
+    TableView view;
     const ViewState state = samples::start();
     double now_s = 0;
     for (const SDL_Point size :
@@ -321,7 +370,9 @@ TEST_F(InWindow, ThePictureFollowsTheWindowsSize) {
         SDL_PumpEvents();
         for (int frame = 0; frame < 3;
              ++frame, now_s += 0.1) {  // while the size settles, and after
-            view.draw(state, now_s);
+            surface.canvas.begin(to_colour(kRoom));
+            view.draw(surface, state, now_s);
+            surface.canvas.finish();
             EXPECT_TRUE(is_green(read(view.to_pixels({0, 0.1})))) << size.x;
             EXPECT_GT(brightness(read(view.to_pixels(state.balls[0].r + Vec2{-0.01, 0.01}))), 500)
                 << size.x;

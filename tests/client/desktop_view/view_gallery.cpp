@@ -16,20 +16,20 @@ namespace {
 using poolhall::client::Picture;
 namespace samples = poolhall::client::samples;
 
-double milliseconds(Picture& picture, const poolhall::client::ViewState& state) {
+double milliseconds(Picture& picture, const samples::NamedView& view) {
     const auto start = std::chrono::steady_clock::now();
-    picture.draw(state, 1);
+    picture.draw(view);
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
 }
 
 bool save(const samples::NamedView& view, const std::filesystem::path& folder) {
     Picture picture(view.size);
-    const double first = milliseconds(picture, view.state);
+    const double first = milliseconds(picture, view);
     constexpr int kAgain = 20;
     double again = 0;
     for (int i = 0; i < kAgain; ++i)
-        again += milliseconds(picture, view.state) / kAgain;
+        again += milliseconds(picture, view) / kAgain;
     const std::string path = (folder / (view.name + ".png")).string();
     if (IMG_SavePNG(picture.surface(), path.c_str()) != 0) {
         std::fprintf(stderr, "%s: %s\n", path.c_str(), IMG_GetError());

@@ -29,25 +29,27 @@ TEST(StepTrail, RingsFadeWithFurtherStepsAndGo) {
     EXPECT_TRUE(trail.rings().empty());
 }
 
-TEST(CollisionMarks, TwoForBallAndBallOneForARailNoneForTheRest) {
-    CollisionMarks marks;
+ShotEvent event_at(double t, EventKind kind, std::uint8_t balls) {
     ShotEvent event;
-    event.kind = EventKind::kBallBall;
-    event.ball_count = 2;
-    marks.pass(event);
-    EXPECT_EQ(marks.marks().size(), 2U);
-    event.kind = EventKind::kBallRail;
-    event.ball_count = 1;
-    marks.pass(event);
-    EXPECT_EQ(marks.marks().size(), 3U);
-    for (const EventKind kind :
-         {EventKind::kStrike, EventKind::kRollToRest, EventKind::kBallPocket}) {
-        event.kind = kind;
-        marks.pass(event);
-    }
-    EXPECT_EQ(marks.marks().size(), 3U);
-    marks.pass(Playback::ShotBegan{});
-    EXPECT_TRUE(marks.marks().empty());
+    event.t = t;
+    event.kind = kind;
+    event.balls = {BallIndex{0}, BallIndex{1}};
+    event.ball_count = balls;
+    return event;
+}
+
+TEST(CollisionMarks, TwoForBallAndBallOneForARailNoneForTheRest) {
+    ShotTimeline timeline(std::array{Vec2{0, 0}, Vec2{1, 0}});
+    timeline.extend(
+        1,
+        std::array{event_at(0, EventKind::kStrike, 1), event_at(0.25, EventKind::kBallBall, 2),
+                   event_at(0.5, EventKind::kBallRail, 1), event_at(0.6, EventKind::kRollToRest, 1),
+                   event_at(0.7, EventKind::kBallPocket, 1)},
+        {});
+    EXPECT_EQ(collision_marks(timeline, 0.2).size(), 0U);
+    EXPECT_EQ(collision_marks(timeline, 0.25).size(), 2U);
+    EXPECT_EQ(collision_marks(timeline, 1).size(), 3U);
+    EXPECT_EQ(collision_marks(timeline, 0.3).size(), 2U) << "at any time, in any order";
 }
 
 }  // namespace

@@ -192,6 +192,112 @@ TEST(Playback, EventsArePassedOnceAndInOrder) {
     EXPECT_EQ(std::get<ShotEvent>(passed[0]).kind, EventKind::kBallRail);
 }
 
+/// A shot of 1 s with an event at each quarter.
+void play_with_events(Playback& playback) {
+    playback.begin(running_shot());
+    std::array<ShotEvent, 5> events;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        events[i].kind = i == 0 ? EventKind::kStrike : EventKind::kBallRail;
+        events[i].t = 0.25 * static_cast<double>(i);
+        set_xy(events[i].after[0].r, {events[i].t, 0});
+    }
+    playback.newest()->timeline.extend(1, events, {});
+    receive_end(playback, 1);
+    (void)playback.take_passed();
+}
+
+TEST(Playback, AnyTimeOfTheShotCanBeSoughtInAnyOrder) {
+    Playback playback(Pacing::kSteady);
+    play_with_events(playback);
+    for (const double t : {0.6, 0.1, 0.99, 0.5, 0.0}) {
+        playback.seek(t);
+        EXPECT_EQ(playback.time(), t);
+        EXPECT_DOUBLE_EQ(x(playback), t);
+    }
+}
+
+TEST(Playback, SeekingPassesEventsForwardsAndTakesThemBackInReverse) {
+    Playback playback(Pacing::kSteady);
+    play_with_events(playback);
+    playback.seek(0.6);
+    auto passed = playback.take_passed();
+    ASSERT_EQ(passed.size(), 3U);
+    EXPECT_EQ(std::get<ShotEvent>(passed[2]).t, 0.5);
+    playback.seek(0.1);
+    passed = playback.take_passed();
+    ASSERT_EQ(passed.size(), 2U);
+    EXPECT_EQ(std::get<Playback::TakenBack>(passed[0]).event.t, 0.5);
+    EXPECT_EQ(std::get<Playback::TakenBack>(passed[1]).event.t, 0.25);
+    playback.seek(0.25);
+    EXPECT_EQ(playback.take_passed().size(), 1U) << "it is passed again";
+}
+
+TEST(Playback, SoughtEndIsLookedAtUntilTimePasses) {
+    Playback playback(Pacing::kSteady);
+    play_with_events(playback);
+    playback.seek(9);
+    EXPECT_EQ(playback.time(), 1);
+    ASSERT_FALSE(playback.idle());
+    EXPECT_TRUE(playback.step(-1));
+    playback.seek(9);
+    playback.advance(1.0 / 60);
+    EXPECT_TRUE(playback.idle());
+    EXPECT_EQ(count_ends(playback), 1);
+}
+
+TEST(Playback, SeekingStaysWithinWhatWasReceived) {
+    Playback playback(Pacing::kLive);
+    playback.seek(1);
+    playback.begin(running_shot());
+    receive_tick(playback, 1);
+    playback.seek(1);
+    EXPECT_EQ(playback.time(), kTick);
+    playback.seek(-1);
+    EXPECT_EQ(playback.time(), 0);
+}
+
+TEST(Playback, StepsBackwardsLeadOverTheSameMomentsToTheBeginning) {
+    Playback playback(Pacing::kSteady);
+    playback.begin(running_shot());
+    receive_end(playback, 1);
+    std::vector<double> moments;
+    for (int step = 0; step < 5; ++step) {
+        moments.push_back(playback.time());
+        ASSERT_TRUE(playback.step());
+    }
+    for (std::size_t i = moments.size(); i-- > 0;) {
+        ASSERT_TRUE(playback.step(-1));
+        EXPECT_NEAR(playback.time(), moments[i], 1e-12);
+    }
+    EXPECT_EQ(playback.time(), 0);
+    EXPECT_FALSE(playback.step(-1));
+}
+
+TEST(Playback, SeveralStepsAreOneMove) {
+    Playback playback(Pacing::kSteady);
+    playback.begin(running_shot());
+    receive_end(playback, 1);
+    ASSERT_TRUE(playback.step(10));
+    EXPECT_DOUBLE_EQ(playback.time(), 10 * kTick);
+    ASSERT_TRUE(playback.step(-3));
+    EXPECT_DOUBLE_EQ(playback.time(), 7 * kTick);
+    ASSERT_TRUE(playback.step(-99));
+    EXPECT_EQ(playback.time(), 0);
+}
+
+TEST(Playback, RulingIsGoneAgainBeforeItIsCertain) {
+    Playback playback(Pacing::kSteady);
+    Shot shot = running_shot();
+    shot.ruling = Ruling{};
+    shot.ruling->decided_at = 0.4;
+    playback.begin(std::move(shot));
+    receive_end(playback, 1);
+    playback.seek(0.5);
+    EXPECT_TRUE(playback.ruling());
+    playback.seek(0.3);
+    EXPECT_FALSE(playback.ruling());
+}
+
 TEST(Playback, RulingShowsWhenItIsCertainOnTheScreen) {
     Playback playback(Pacing::kSteady);
     Shot shot = running_shot();

@@ -1,112 +1,59 @@
-#include "client/play/remote_match.hpp"
-
-#include "protocol/limits.hpp"
-#include "tests/client/desktop_app/fixtures.hpp"
-
-#include <gtest/gtest.h>
-#include <memory>
+#include "tests/client/play/remote_fixture.hpp"
 
 namespace poolhall::client {
 namespace {
 
 using namespace protocol;
 
-class RemoteMatchTest : public ::testing::Test {
-  protected:
-    void open(Wish wish) {
-        match_ = std::make_unique<RemoteMatch>(std::move(wish), transport_, tokens_, playback_);
-        transport_.events.emplace_back(Opened{});
-        transport_.say(Welcome{"poolhall 0.1.0", kVersion});
-        poll();
-    }
-
-    void open_as_anna() {
-        open({"h:1", "", "Anna", false});
-        joined({Seat{0}});
-    }
-
-    void joined(std::vector<Seat> seats, const TableState& table = new_table()) {
-        transport_.say(Joined{last_seq(), seats.empty() ? "" : "t1", std::move(seats), table});
-        poll();
-        transport_.sent.clear();
-    }
-
-    void poll() { match_->poll(now_); }
-
-    void pass(double seconds) {
-        now_ += seconds;
-        poll();
-    }
-
-    [[nodiscard]] std::uint32_t last_seq() const { return transport_.sent.back().seq; }
-
-    template <class T>
-    [[nodiscard]] std::vector<T> sent() const {
-        std::vector<T> found;
-        for (const auto& message : transport_.sent) {
-            if (const auto* body = std::get_if<T>(&message.body)) found.push_back(*body);
-        }
-        return found;
-    }
-
-    [[nodiscard]] Vec2 cue() const { return xy(match_->info().table->scene.balls[0].state.r); }
-
-    TemporaryFolder folder_;
-    TokenStore tokens_{folder_.path};
-    ScriptedTransport transport_;
-    Playback playback_{Pacing::kLive};
-    std::unique_ptr<RemoteMatch> match_;
-    double now_ = 100;
-};
-
 TEST_F(RemoteMatchTest, WithoutACodeItMakesANewMatch) {
     open({"h:1", "", "Anna", false});
-    ASSERT_EQ(sent<CreateMatch>().size(), 1U);
-    EXPECT_EQ(sent<CreateMatch>()[0].name, "Anna");
-    EXPECT_FALSE(sent<CreateMatch>()[0].settings);
+    ASSERT_EQ(entries<CreateMatch>().size(), 1U);
+    EXPECT_EQ(entries<CreateMatch>()[0].name, "Anna");
+    EXPECT_FALSE(entries<CreateMatch>()[0].settings);
     joined({Seat{0}});
     EXPECT_EQ(match_->info().link, Link::kOnline);
     EXPECT_EQ(match_->info().acting_seat(), Seat{0});
 }
 
 TEST_F(RemoteMatchTest, NewMatchGetsTheChosenPhysics) {
-    GameSettings settings;
-    settings.solver = SolverSpec{SolverKind::kEvent, 30};
+    MatchSettings settings;
+    settings.game.solver = SolverSpec{SolverKind::kEvent, 30};
     open({"h:1", "", "Anna", false, settings});
-    ASSERT_EQ(sent<CreateMatch>().size(), 1U);
-    EXPECT_EQ(sent<CreateMatch>()[0].settings, settings);
+    ASSERT_EQ(entries<CreateMatch>().size(), 1U);
+    EXPECT_EQ(entries<CreateMatch>()[0].settings, settings);
 }
 
 TEST_F(RemoteMatchTest, WithACodeItJoins) {
     open({"h:1", "BCDFGH", "Ben", false});
-    ASSERT_EQ(sent<JoinMatch>().size(), 1U);
-    EXPECT_EQ(sent<JoinMatch>()[0].code, "BCDFGH");
+    ASSERT_EQ(entries<JoinMatch>().size(), 1U);
+    EXPECT_EQ(entries<JoinMatch>()[0].code, "BCDFGH");
 }
 
 TEST_F(RemoteMatchTest, SpectatorMayDoNothing) {
     open({"h:1", "BCDFGH", "Cleo", true});
-    ASSERT_EQ(sent<WatchMatch>().size(), 1U);
+    ASSERT_EQ(entries<WatchMatch>().size(), 1U);
     joined({});
     match_->aim({0, 1});
-    match_->shoot({0, 1});
+    shoot({0, 1});
     match_->toggle_hot_seat();
     pass(1);
-    EXPECT_TRUE(sent<Aim>().empty() && sent<Shoot>().empty() && sent<TakeSeat>().empty());
+    EXPECT_TRUE(aims().empty() && transport_.moves().empty());
+    EXPECT_TRUE(seat_commands<TakeSeat>().empty());
 }
 
 TEST_F(RemoteMatchTest, TokenOfAnEarlierRunComesBackToTheSeat) {
-    { TokenStore(folder_.path).keep("h:1", "BCDFGH", "old"); }
+    tokens_.keep("h:1", "BCDFGH", "old");
     open({"h:1", "BCDFGH", "Anna", false});
-    ASSERT_EQ(sent<Resume>().size(), 1U);
-    EXPECT_EQ(sent<Resume>()[0].token, "old");
+    ASSERT_EQ(entries<Resume>().size(), 1U);
+    EXPECT_EQ(entries<Resume>()[0].token, "old");
 }
 
 TEST_F(RemoteMatchTest, OutdatedTokenIsForgottenAndTheMatchJoined) {
-    { TokenStore(folder_.path).keep("h:1", "BCDFGH", "old"); }
+    tokens_.keep("h:1", "BCDFGH", "old");
     open({"h:1", "BCDFGH", "Anna", false});
     transport_.say(Reject{last_seq(), RejectCode::kBadToken, "no such token"});
     poll();
-    EXPECT_EQ(sent<JoinMatch>().size(), 1U);
+    EXPECT_EQ(entries<JoinMatch>().size(), 1U);
     EXPECT_EQ(tokens_.claim("h:1", "BCDFGH"), std::nullopt);
 }
 
@@ -126,8 +73,8 @@ TEST_F(RemoteMatchTest, FullServerIsTriedAgain) {
 }
 
 TEST_F(RemoteMatchTest, OtherProtocolVersionIsSaidAndNothingAsked) {
-    match_ = std::make_unique<RemoteMatch>(Wish{"h:1", "", "Ben", false}, transport_, tokens_,
-                                           playback_);
+    match_ = std::make_unique<RemoteMatch>(EntryRequest{"h:1", "", "Ben", false}, transport_,
+                                           tokens_, playback_);
     transport_.events.emplace_back(Opened{});
     transport_.say(Welcome{"poolhall 9", 9});
     poll();
@@ -140,72 +87,15 @@ TEST_F(RemoteMatchTest, LostConnectionIsResumedWithTheToken) {
     transport_.events.emplace_back(Lost{"The server closed the connection", 0.3});
     poll();
     EXPECT_EQ(match_->info().link, Link::kLost);
-    match_->shoot({1, 0});
+    shoot({1, 0});
     EXPECT_TRUE(transport_.sent.empty());
     transport_.events.emplace_back(Opened{});
     transport_.say(Welcome{"poolhall 0.1.0", kVersion});
     poll();
-    ASSERT_EQ(sent<Resume>().size(), 1U);
-    EXPECT_EQ(sent<Resume>()[0].token, "t1");
-    EXPECT_EQ(sent<Resume>()[0].code, "BCDFGH");
+    ASSERT_EQ(entries<Resume>().size(), 1U);
+    EXPECT_EQ(entries<Resume>()[0].token, "t1");
+    EXPECT_EQ(entries<Resume>()[0].code, "BCDFGH");
     EXPECT_EQ(last_seq(), 1U);
-}
-
-TEST_F(RemoteMatchTest, MovesAreSentThirtyTimesASecondAndTheLastOneAlways) {
-    open_as_anna();
-    for (int frame = 1; frame <= 240; ++frame) {
-        match_->aim({1, frame / 1000.0});
-        pass(1.0 / 240);
-    }
-    EXPECT_LE(sent<Aim>().size(), 31U);
-    EXPECT_GE(sent<Aim>().size(), 25U);
-    EXPECT_LE(match_->due_in(now_), RemoteMatch::kMoveEvery);
-    pass(RemoteMatch::kMoveEvery);
-    EXPECT_EQ(sent<Aim>().back().direction, (Vec2{1, 0.24}));
-}
-
-TEST_F(RemoteMatchTest, PlacementShowsAtOnceAndAimsAtTheEightBall) {
-    open_as_anna();
-    const Vec2 place{end_game::kBaseLineX, 0.2};
-    match_->place_cue_ball(place);
-    EXPECT_EQ(cue(), place);
-    EXPECT_NEAR(cross(match_->info().table->aim, Vec2{end_game::kFootSpotX, 0} - place), 0, 1e-12);
-    pass(1);
-    ASSERT_EQ(sent<PlaceCueBall>().size(), 1U);
-    // An older word about the table does not pull the ball back while the answer is on its way.
-    transport_.say(TableChanged{new_table()});
-    poll();
-    EXPECT_EQ(cue(), place);
-}
-
-TEST_F(RemoteMatchTest, RefusedPlacementGoesBack) {
-    open_as_anna();
-    const Vec2 before = cue();
-    match_->place_cue_ball({end_game::kBaseLineX, 0.2});
-    pass(1);
-    transport_.say(Reject{transport_.sent.front().seq, RejectCode::kIllegal, "not there"});
-    poll();
-    EXPECT_EQ(cue(), before);
-    EXPECT_EQ(match_->take_notice(), "not there");
-}
-
-TEST_F(RemoteMatchTest, PlacementGoesOutBeforeTheShot) {
-    open_as_anna();
-    match_->place_cue_ball({end_game::kBaseLineX, 0.2});
-    match_->shoot({1, 0});
-    ASSERT_EQ(transport_.sent.size(), 2U);
-    EXPECT_TRUE(std::holds_alternative<PlaceCueBall>(transport_.sent[0].body));
-    EXPECT_TRUE(std::holds_alternative<Shoot>(transport_.sent[1].body));
-    EXPECT_LT(transport_.sent[0].seq, transport_.sent[1].seq);
-}
-
-TEST_F(RemoteMatchTest, LateAimIsNobodysMistake) {
-    open_as_anna();
-    match_->aim({0, 1});
-    pass(1);
-    transport_.say(Reject{transport_.sent.front().seq, RejectCode::kWrongPhase, "a shot runs"});
-    poll();
-    EXPECT_EQ(match_->take_notice(), "");
 }
 
 TEST_F(RemoteMatchTest, OpponentsAimAndCueBallAreShown) {
@@ -240,7 +130,7 @@ TEST_F(RemoteMatchTest, ShotIsPlayedAndEndsExactly) {
         EXPECT_EQ(shot->shot.timeline.position({1}, 1e9), xy(end.balls[1].state.r));
     }
     EXPECT_TRUE(finished);
-    EXPECT_EQ(match_->info().table->turn, Seat{1});
+    EXPECT_EQ(match_->info().table->legal.seat, Seat{1});
 }
 
 TEST_F(RemoteMatchTest, LateComerSeesTheRestOfTheShot) {
@@ -281,14 +171,14 @@ TEST_F(RemoteMatchTest, HotSeatIsTakenAndGivenBack) {
     table.seats[1] = {};
     joined({Seat{0}}, table);
     match_->toggle_hot_seat();
-    ASSERT_EQ(sent<TakeSeat>().size(), 1U);
+    ASSERT_EQ(seat_commands<TakeSeat>().size(), 1U);
     transport_.say(Accepted{last_seq()});
     transport_.say(TableChanged{new_table()});
     poll();
     EXPECT_TRUE(match_->info().hot_seat());
     match_->toggle_hot_seat();
-    ASSERT_EQ(sent<LeaveSeat>().size(), 1U);
-    EXPECT_EQ(sent<LeaveSeat>()[0].seat, Seat{1});
+    ASSERT_EQ(seat_commands<LeaveSeat>().size(), 1U);
+    EXPECT_EQ(seat_commands<LeaveSeat>()[0].seat, Seat{1});
     transport_.say(Accepted{last_seq()});
     poll();
     EXPECT_FALSE(match_->info().hot_seat());
@@ -299,14 +189,46 @@ TEST_F(RemoteMatchTest, RematchVotesForEverySeatHeld) {
     TableState table = new_table();
     table.phase = Phase::kOver;
     joined({Seat{0}, Seat{1}}, table);
-    match_->ask_new_game();
-    EXPECT_EQ(sent<Rematch>().size(), 2U);
+    match_->make(Agree{});
+    EXPECT_EQ(transport_.moves(), (std::vector<Move>{Agree{}, Agree{}}));
+}
+
+TEST_F(RemoteMatchTest, RematchIsAskedForOnce) {
+    open({"h:1", "", "Anna", false});
+    TableState table = new_table();
+    table.phase = Phase::kOver;
+    table.seats[0].wants_rematch = true;
+    joined({Seat{0}}, table);
+    match_->make(Agree{});
+    EXPECT_TRUE(transport_.moves().empty());
+}
+
+TEST_F(RemoteMatchTest, GameIsGivenUpOutOfTurnToo) {
+    open({"h:1", "BCDFGH", "Ben", false});
+    joined({Seat{1}});
+    match_->make(Concede{});
+    const auto made = transport_.sent_of<MakeMove, TurnCommand>();
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(made[0], (MakeMove{Seat{1}, Concede{}}));
+}
+
+TEST_F(RemoteMatchTest, TurnThatTimedOutIsSaid) {
+    open({"h:1", "BCDFGH", "Ben", false});
+    joined({Seat{1}});
+    TableState table = table_with_turn(Seat{1});
+    table.ruling = Ruling{Verdict::kTimedOut, Seat{0}, Seat{1}, {}, 0};
+    transport_.say(TableChanged{table});
+    poll();
+    EXPECT_EQ(match_->take_notice(), "Anna's time is up: the turn passes");
+    transport_.say(TableChanged{table});
+    poll();
+    EXPECT_EQ(match_->take_notice(), "");
 }
 
 TEST_F(RemoteMatchTest, RoundTripIsMeasuredByPing) {
     open_as_anna();
     pass(RemoteMatch::kPingEvery);
-    ASSERT_FALSE(sent<Ping>().empty());
+    ASSERT_FALSE(transport_.sent.empty());
     transport_.say(Pong{last_seq()}, now_ + 0.042);
     poll();
     ASSERT_TRUE(match_->info().round_trip_ms);
@@ -328,7 +250,7 @@ TEST_F(RemoteMatchTest, ComingAndGoingIsToldToTheOthers) {
 TEST_F(RemoteMatchTest, NonsenseFromAServerIsSurvived) {
     open_as_anna();
     TableState table = new_table();
-    table.cue_ball = BallIndex{9};
+    table.state.cue_ball = BallIndex{9};
     transport_.say(TableChanged{table});
     transport_.say(Frame{7, 3, {{BallIndex{9}, {0, 0}}}, {}});
     transport_.say(AimChanged{Seat{9}, {0, 1}, {0, 0}});
@@ -339,7 +261,7 @@ TEST_F(RemoteMatchTest, NonsenseFromAServerIsSurvived) {
     end.balls.pop_back();
     transport_.say(end);
     poll();
-    EXPECT_EQ(match_->info().table->cue_ball, BallIndex{0});
+    EXPECT_EQ(match_->info().table->state.cue_ball, BallIndex{0});
     EXPECT_TRUE(playback_.idle());
 }
 

@@ -1,5 +1,7 @@
 #include "client/play/shot_timeline.hpp"
 
+#include "tests/client/play/fixtures.hpp"
+
 #include <array>
 #include <gtest/gtest.h>
 
@@ -87,6 +89,34 @@ TEST(ShotTimeline, LateComerStartsInTheMiddle) {
     ShotTimeline timeline(std::array{Vec2{0.5, 0}}, 10 * kTick);
     timeline.extend(11 * kTick, {}, std::array{ShotTimeline::Moved{kCue, {0.6, 0}}});
     EXPECT_NEAR(timeline.position(kCue, 10.5 * kTick).x, 0.55, 1e-12);
+}
+
+TEST(ShotTimeline, EventsAreCountedUpToAnyTimeInAnyOrder) {
+    ShotTimeline timeline = two_balls();
+    timeline.extend(kTick,
+                    std::array{event_at(0, EventKind::kStrike, {0, 0}),
+                               event_at(kTick / 2, EventKind::kBallRail, {0.1, 0})},
+                    {});
+    EXPECT_EQ(timeline.events_until(kTick), 2U);
+    EXPECT_EQ(timeline.events_until(-1), 0U);
+    EXPECT_EQ(timeline.events_until(kTick / 2), 2U);
+    EXPECT_EQ(timeline.events_until(kTick / 4), 1U);
+    EXPECT_EQ(timeline.events_until(0), 1U);
+}
+
+TEST(ShotTimeline, ShotThatIsKnownWholeGoesThroughItsSamplesAndEndsExactly) {
+    const SimulatedShot shot = *turn_of(new_table().state, {1, 0.03}).shot;
+    const ShotTrace& trace = shot.trace;
+    const ShotTimeline timeline = timeline_of(shot);
+    EXPECT_TRUE(timeline.complete());
+    EXPECT_EQ(timeline.known_until(), trace.duration);
+    EXPECT_EQ(timeline.events().size(), trace.events.size());
+    for (std::size_t k = trace.sample_count() - 1; k-- > 0;) {
+        const double t = static_cast<double>(k) / trace.sample_hz;
+        for (std::uint16_t i = 0; i < 2; ++i)
+            EXPECT_NEAR(norm(timeline.position({i}, t) - xy(trace.sample(k, i))), 0, 1e-9) << t;
+    }
+    EXPECT_EQ(timeline.position(kEight, trace.duration), xy(trace.balls[1].state.r));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "shared/game/resting.hpp"
 
 #include "shared/game/end_game.hpp"
+#include "shared/physics/check.hpp"
 #include "tests/shared/random.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "shared/game/end_game.hpp"
 #include "shared/game/settings.hpp"
+#include "shared/physics/check.hpp"
 #include "tests/shared/game/played_shot.hpp"
 #include "tests/shared/random.hpp"
 

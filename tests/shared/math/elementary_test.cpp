@@ -115,7 +115,7 @@ TEST(Elementary, Log1pIsWithinAnUlp) {
     EXPECT_LE(worst, 0.6);
 }
 
-TEST(Elementary, ExactWhereTheResultIsExact) {
+TEST(Elementary, IsExactWhereTheResultIsExact) {
     EXPECT_EQ(1, elementary::exp(0));
     EXPECT_EQ(0, elementary::expm1(0));
     EXPECT_EQ(0, elementary::log(1));
@@ -124,7 +124,7 @@ TEST(Elementary, ExactWhereTheResultIsExact) {
     EXPECT_EQ(-5e-324, elementary::log1p(-5e-324));
 }
 
-TEST(Elementary, EndsOfTheRange) {
+TEST(Elementary, GoesToInfinityAndToZeroAtTheEndsOfItsRange) {
     EXPECT_EQ(kInfinity, elementary::exp(709.79));
     EXPECT_EQ(kInfinity, elementary::exp(kInfinity));
     EXPECT_EQ(5e-324, elementary::exp(-745.13));

@@ -1,5 +1,4 @@
-#include "shared/physics/scene/scene.hpp"
-
+#include "shared/physics/check.hpp"
 #include "tests/shared/scenes.hpp"
 
 #include <array>

@@ -1,4 +1,5 @@
-// An effect that is not in the library: shared/physics/effects/README.md takes it as its example.
+// An effect that is not in the library; shared/physics/effects/README.md shows how one gets into
+// it.
 
 #include "shared/physics/effects/effect_set.hpp"
 #include "shared/physics/effects/rails.hpp"
@@ -36,8 +37,9 @@ ShotTrace simulate_with(const Scene& scene) {
     Workspace workspace;
     ShotTrace trace;
     ShotRun run(scene, 30, workspace, trace);
+    SteppingMemory memory;
     const Set effects(scene);
-    SteppingSolver<Set, kScheme>(effects, run).solve();
+    SteppingSolver<Set, kScheme>(effects, run, memory).solve();
     return trace;
 }
 

@@ -36,7 +36,7 @@ TEST(EndGamePockets, OneAndAHalfRadiiFromBothRailsIsTheLimit) {
     EXPECT_FALSE(kMap.at({x, std::nextafter(y, 0)}));
 }
 
-TEST(EndGamePockets, NowhereElse) {
+TEST(EndGamePockets, TakeNoBallAwayFromTheRails) {
     EXPECT_FALSE(kMap.at({0, 0}));
     EXPECT_FALSE(kMap.at({kEdge.x, 0}));
     EXPECT_FALSE(kMap.at({kEdge.x / 2, kEdge.y}));

@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -29,6 +30,17 @@ def is_sky_blue(r, g, b):
 
 def is_orange(r, g, b):
     return r > 190 and 120 < g < 190 and b < 60
+
+
+class NoFonts(unittest.TestCase):
+    def test_a_machine_without_fonts_is_told_so(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".conf") as fonts:
+            fonts.write('<!DOCTYPE fontconfig SYSTEM "fonts.dtd"><fontconfig><dir>/nowhere</dir></fontconfig>')
+            fonts.flush()
+            result = subprocess.run([PROGRAM, "--practice"], env=dict(os.environ, FONTCONFIG_FILE=fonts.name),
+                                    capture_output=True, text=True, timeout=desk.PATIENCE)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("no font: fontconfig finds none", result.stderr)
 
 
 class Practice(unittest.TestCase):
@@ -99,6 +111,13 @@ class Practice(unittest.TestCase):
         time.sleep(0.4)
         hidden = self.client.look()
         self.assertEqual(hidden.difference(plain, edge) + hidden.difference(plain, below), 0)
+
+    def test_f2_at_rest_draws_nothing_new(self):
+        self.client.key("F2")
+        time.sleep(1)
+        before = self.client.cpu_seconds()
+        time.sleep(3)
+        self.assertLess(self.client.cpu_seconds() - before, 0.3)
 
     def test_f3_and_f4_are_two_toggles_with_icons(self):
         plain = self.client.look()
@@ -195,6 +214,21 @@ class Practice(unittest.TestCase):
         self.client.click()
         time.sleep(0.4)
         self.assertEqual(self.client.look().find(is_cue_ball, CUE_BALL_COLUMN), [])
+
+    def test_letters_count_by_place_on_layouts_that_have_none(self):
+        codes = {"p": "33", "m": "58"}  # of their keys, whatever is printed on them
+        self.addCleanup(subprocess.run, ["setxkbmap", "us"], check=True)
+        for layout in ("ru", "gr", "ara", "il"):
+            plain = self.client.look()
+            subprocess.run(["setxkbmap", layout], check=True)
+            time.sleep(0.5)
+            before = set(self.client.shots.glob("*.png"))
+            self.client.key(codes["m"])
+            time.sleep(0.5)
+            self.client.key(codes["p"])
+            new = wait_for("a screenshot", lambda: set(self.client.shots.glob("*.png")) - before)
+            self.assertGreater(desk.Picture(new.pop()).difference(plain, (1100, 690, 1280, 720)), 10, layout)
+            subprocess.run(["setxkbmap", "us"], check=True)
 
     def test_game_that_is_over_starts_anew_by_itself(self):
         self.sink_the_cue_ball()

@@ -22,17 +22,17 @@ Scene scene_of_file(const std::string& name) {
 }
 
 /// All that is not a matter of time.
-std::string text_of(const Scene& scene, const compare::Contest& contest) {
+std::string text_of(const Scene& scene, const compare::Comparison& comparison) {
     std::ostringstream out;
-    print_events(out, scene, contest);
-    print_differences(out << '\n', scene, contest);
-    print_rest_distances(out << '\n', scene, contest);
+    print_events(out, scene, comparison);
+    print_differences(out << '\n', scene, comparison);
+    print_rest_distances(out << '\n', scene, comparison);
     return out.str();
 }
 
 TEST(ComparisonText, IsTheGoldenOne) {
     const Scene scene = scene_of_file("draw.json");
-    const std::string text = text_of(scene, compare::contest(scene, kSolvers));
+    const std::string text = text_of(scene, compare::compare_solvers(scene, kSolvers));
     std::ifstream file(POOLHALL_GOLDEN);
     const std::string golden{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(text, golden);
@@ -40,7 +40,7 @@ TEST(ComparisonText, IsTheGoldenOne) {
 
 TEST(ComparisonText, ARefusalStandsInItsColumnAndTheOthersGoOn) {
     const Scene scene = scene_of_file("jump.json");
-    const std::string text = text_of(scene, compare::contest(scene, kSolvers));
+    const std::string text = text_of(scene, compare::compare_solvers(scene, kSolvers));
     const std::string reason = "refused: /solver/kind: overlap knows no heights: not with airborne";
     const std::size_t column = text.find(reason);
     ASSERT_NE(column, std::string::npos);

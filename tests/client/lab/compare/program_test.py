@@ -83,6 +83,26 @@ class Compare(unittest.TestCase):
         result = run("--solver", "overlap:30", SCENES / "jump.json")
         self.assert_refused(result, "line 1: /solver/kind: overlap knows no heights: not with airborne")
 
+    def test_names_of_balls_in_any_script_are_drawn(self):
+        scene = json.loads((SCENES / "draw.json").read_text())
+        pictures = set()
+        for name in ("a", "\u738b", "\u05d1\u05e9", "\u0628\u0628", "\U0001f3b1"):
+            scene["balls"][1]["id"] = name
+            result = run("--picture", self.folder / "a.svg", text=json.dumps(scene))
+            self.assertEqual((result.returncode, result.stderr), (0, ""), name)
+            pictures.add((self.folder / "a.svg").read_bytes())
+        self.assertEqual(len(pictures), 5)
+
+    def test_a_machine_without_fonts_is_told_so(self):
+        fonts = self.folder / "fonts.conf"
+        fonts.write_text('<!DOCTYPE fontconfig SYSTEM "fonts.dtd"><fontconfig><dir>/nowhere</dir></fontconfig>')
+        picture = self.folder / "a.svg"
+        result = subprocess.run([PROGRAM, "compare", SCENES / "draw.json", "--picture", picture], capture_output=True, text=True,
+                                env=dict(os.environ, FONTCONFIG_FILE=str(fonts)))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("no font: fontconfig finds none", result.stderr)
+        self.assertFalse(picture.exists())
+
     def test_files_that_cannot_be_read_or_written_are_refused(self):
         self.assert_refused(run(self.folder / "none.json"), f"{self.folder}/none.json cannot be opened")
         draw = SCENES / "draw.json"
