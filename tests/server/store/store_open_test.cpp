@@ -129,7 +129,7 @@ TEST_F(StoreOpen, ADatabaseOfAnotherProgramIsRefused) {
 
 TEST_F(StoreOpen, ANewerVersionIsRefused) {
     fill();
-    SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2");
+    SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 3");
     EXPECT_EQ(open_failure(folder()),
               file().string() + " was written by a newer version of Poolhall");
     EXPECT_EQ(exported(folder(), "m1"),
