@@ -60,6 +60,47 @@ bool is_blank(char32_t c) {
     return c == 0x20 || c == 0xA0 || c == 0x3000 || (c >= 0x2000 && c <= 0x200F);
 }
 
+/// The bits of hex digits with or without a point, and how many of them stand before it.
+struct Bits {
+    std::string bits;
+    std::size_t before_point = 0;
+};
+
+Bits bits_of(std::string_view digits) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    Bits result;
+    std::optional<std::size_t> point;
+    for (const char c : digits) {
+        if (c == '.') {
+            point = result.bits.size();
+            continue;
+        }
+        const std::size_t digit = kDigits.find(c >= 'A' && c <= 'F' ? c - 'A' + 'a' : c);
+        for (const std::size_t bit : {8U, 4U, 2U, 1U})
+            result.bits += (digit & bit) != 0 ? '1' : '0';
+    }
+    result.before_point = point.value_or(result.bits.size());
+    return result;
+}
+
+/// Whether a double has all the bits of a C hex-float ("1.8p-1", without its 0x), whose size it can
+/// hold.
+bool holds_all_bits(std::string_view number) {
+    constexpr std::size_t kMantissaBits = 53;
+    constexpr std::int64_t kLeastExponent = -1074;
+    const std::size_t mark = std::min(number.find_first_of("pP"), number.size());
+    const auto [bits, before_point] = bits_of(number.substr(0, mark));
+    const std::size_t first = bits.find('1');
+    if (first == std::string::npos) return true;
+    const std::size_t last = bits.rfind('1');
+    std::string_view exponent = number.substr(std::min(mark + 1, number.size()));
+    if (exponent.starts_with('+')) exponent.remove_prefix(1);
+    std::int64_t power = 0;
+    std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+    power += static_cast<std::int64_t>(before_point) - 1 - static_cast<std::int64_t>(last);
+    return last - first < kMantissaBits && power >= kLeastExponent;
+}
+
 char upper(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
@@ -119,6 +160,7 @@ std::optional<double> parse_hex_float(std::string_view text) {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value, std::chars_format::hex);
     if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+    if (!holds_all_bits(text)) return std::nullopt;
     return negative ? -value : value;
 }
 

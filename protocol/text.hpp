@@ -21,8 +21,8 @@ namespace poolhall::protocol {
 /// 32 lower-case hex digits.
 [[nodiscard]] bool is_token(std::string_view text);
 
-/// A C hex-float ("0x1.8p-1", "-0X1P3"), exactly; nothing if the text is none or not a finite
-/// double. Independent of the locale.
+/// A C hex-float ("0x1.8p-1", "-0X1P3"), exactly; nothing if the text is none, or a number that no
+/// double is. Independent of the locale.
 [[nodiscard]] std::optional<double> parse_hex_float(std::string_view text);
 
 /// The same the other way, "0x1.8p-1": short, and exact. Requires a finite number.

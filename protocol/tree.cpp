@@ -2,8 +2,12 @@
 
 #include "protocol/cbor_guard.hpp"
 #include "protocol/limits.hpp"
+#include "protocol/overflow.hpp"
 #include "protocol/text.hpp"
 
+#include <array>
+#include <charconv>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -17,25 +21,60 @@ using Json = nlohmann::ordered_json;
 /// number.
 constexpr std::size_t kMaxKeys = 64;
 
+constexpr double kTwoTo64 = 18446744073709551616.0;
+
+Json lost_number() {
+    return Json::value_t::discarded;
+}
+
+/// A CBOR integer below -2^63: nlohmann's reader takes it modulo 2^64, by which `wrapped` is not
+/// negative.
+Json far_negative(std::int64_t wrapped) {
+    const std::uint64_t magnitude = std::uint64_t{0} - static_cast<std::uint64_t>(wrapped);
+    if (magnitude == 0) return -kTwoTo64;
+    const auto rounded = static_cast<double>(magnitude);
+    const bool exact = rounded < kTwoTo64 && static_cast<std::uint64_t>(rounded) == magnitude;
+    return exact ? Json(-rounded) : lost_number();
+}
+
+/// False for a JSON integer that is not what the double came to; a fraction is always rounded.
+bool is_exact(double value, std::string_view text) {
+    const bool integer = text.find_first_not_of("-0123456789") == std::string_view::npos;
+    if (!integer || text.empty()) return true;  // CBOR's floats have no text
+    std::array<char, 400> digits{};             // the largest double has 309
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                   std::chars_format::fixed, 0);
+    return text == std::string_view(digits.data(), end.ptr);
+}
+
 /// Builds a tree from a parser's events and stops the parser at the first thing that is not
 /// allowed.
 class Builder final : public nlohmann::json_sax<Json> {
   public:
-    // NOLINTNEXTLINE(bugprone-exception-escape): a null tree throws nothing
-    Builder() = default;
+    /// `lost`: for each null, in order, whether it stands for a number beyond the largest double.
+    explicit Builder(Encoding encoding, std::vector<bool> lost = {})
+        : cbor_(encoding == Encoding::kCbor), lost_(std::move(lost)) {}
+
     Builder(const Builder&) = delete;  // open_ points into tree
     Builder& operator=(const Builder&) = delete;
 
-    bool null() override { return add(nullptr); }
+    bool null() override {
+        const bool lost = nulls_ < lost_.size() && lost_[nulls_];
+        ++nulls_;
+        return add(lost ? lost_number() : Json(nullptr));
+    }
 
     bool boolean(bool value) override { return add(value); }
 
-    bool number_integer(number_integer_t value) override { return add(value); }
+    /// Below 0, but for the -0 of JSON and what CBOR has below -2^63.
+    bool number_integer(number_integer_t value) override {
+        return add(value > 0 || (value == 0 && cbor_) ? far_negative(value) : Json(value));
+    }
 
     bool number_unsigned(number_unsigned_t value) override { return add(value); }
 
-    bool number_float(number_float_t value, const string_t& /*text*/) override {
-        return add(value);
+    bool number_float(number_float_t value, const string_t& text) override {
+        return add(is_exact(value, text) ? Json(value) : lost_number());
     }
 
     bool string(string_t& value) override {
@@ -62,13 +101,15 @@ class Builder final : public nlohmann::json_sax<Json> {
     }
 
     bool parse_error(std::size_t position, const std::string& /*token*/,
-                     const nlohmann::json::exception& /*what*/) override {
+                     const nlohmann::json::exception& what) override {
+        overflow = what.id == kNumberOverflow;
         error.position = position;
         return refuse("a syntax error at byte " + std::to_string(position));
     }
 
     Json tree;
     TreeError error;
+    bool overflow = false;  ///< the error is a number beyond the largest double
 
   private:
     bool refuse(std::string why) {
@@ -101,6 +142,9 @@ class Builder final : public nlohmann::json_sax<Json> {
         return parent.back();
     }
 
+    bool cbor_;
+    std::vector<bool> lost_;
+    std::size_t nulls_ = 0;
     std::vector<Json*> open_;
     std::string key_;
 };
@@ -112,12 +156,16 @@ Result<Json, TreeError> parse_tree(std::string_view bytes, Encoding encoding) {
     if (cbor) {
         if (auto fault = find_cbor_fault(bytes)) return TreeError{*std::move(fault)};
     }
-    Builder builder;
     const auto format = cbor ? Json::input_format_t::cbor : Json::input_format_t::json;
-    if (!Json::sax_parse(bytes.begin(), bytes.end(), &builder, format)) {
-        return std::move(builder.error);
-    }
-    return std::move(builder.tree);
+    Builder builder(encoding);
+    if (Json::sax_parse(bytes.begin(), bytes.end(), &builder, format))
+        return std::move(builder.tree);
+    if (!builder.overflow) return std::move(builder.error);
+    // The parser gives up at such a number, and what follows may name the message's seq.
+    Restated restated = restate(bytes);
+    Builder second(encoding, std::move(restated.lost));
+    if (Json::sax_parse(restated.text, &second)) return std::move(second.tree);
+    return std::move(second.error);
 }
 
 std::string write_tree(const Json& tree, Encoding encoding) {

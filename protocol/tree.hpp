@@ -22,7 +22,9 @@ struct TreeError {
 /// Reads one JSON or CBOR value and nothing after it. Refuses what could exhaust memory or stack or
 /// be read in two ways, before a tree is built of it: nesting beyond kMaxNesting, the same key
 /// twice in an object, text that is not UTF-8; in CBOR also tags, byte strings, indefinite lengths
-/// and lengths beyond the input. Never throws.
+/// and lengths beyond the input. A number that is beyond the largest double, or an integer that
+/// neither 64 bits nor a double hold, is in the tree as a discarded value, which is of no type:
+/// only who reads it knows what it is called. Never throws.
 [[nodiscard]] Result<nlohmann::ordered_json, TreeError> parse_tree(std::string_view bytes,
                                                                    Encoding encoding);
 

@@ -56,6 +56,7 @@ std::unique_ptr<std::istream> open(const ReplayTool& tool, const ReplayChoice& c
         auto text = load(tool, choice.id);
         return text ? std::make_unique<std::istringstream>(*std::move(text)) : nullptr;
     }
+    if (choice.file == "-") return std::make_unique<std::istream>(tool.in.rdbuf());
     auto file = std::make_unique<std::ifstream>(choice.file, std::ios::binary);
     if (*file) return file;
     fail(tool, choice.file + " cannot be opened");
@@ -63,6 +64,7 @@ std::unique_ptr<std::istream> open(const ReplayTool& tool, const ReplayChoice& c
 }
 
 std::string title(const ReplayChoice& choice) {
+    if (choice.file == "-") return "standard input";
     return choice.file.empty() ? "replay " + protocol::shown(choice.id) : choice.file;
 }
 

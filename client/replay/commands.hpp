@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <istream>
 #include <ostream>
 #include <string>
 
@@ -17,6 +18,7 @@ enum class Status : int {
 /// Where commands read and write.
 struct ReplayTool {
     std::filesystem::path data;  ///< folder of the replay store
+    std::istream& in;
     std::ostream& out;
     std::ostream& error;  ///< one line for each thing that is wrong
 };
@@ -24,7 +26,7 @@ struct ReplayTool {
 /// Which replay: one of the store, or an exported file.
 struct ReplayChoice {
     std::string id;
-    std::string file;  ///< empty: `id` counts
+    std::string file;  ///< empty: `id` counts; "-": ReplayTool::in
 };
 
 enum class ShowForm { kTable, kJson };

@@ -27,13 +27,13 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 CLI::Option_group* add_choice(CLI::App* command, Options& options) {
     CLI::Option_group* group = command->add_option_group("replay", "Which replay; one of");
     group->add_option("ID", options.choice.id, "A match of the replay store");
-    group->add_option("--file", options.choice.file, "An exported file");
+    group->add_option("--file", options.choice.file, "An exported file, - for standard input");
     group->require_option(1);
     return group;
 }
 
 Status run(const CLI::App& app, const Options& options) {
-    const ReplayTool tool{options.data, std::cout, std::cerr};
+    const ReplayTool tool{options.data, std::cin, std::cout, std::cerr};
     if (app.got_subcommand("list")) return list_replays(tool);
     if (app.got_subcommand("export"))
         return export_replay(tool, options.choice.id, options.export_file);

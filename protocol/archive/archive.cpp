@@ -1,5 +1,6 @@
 #include "protocol/archive/archive.hpp"
 
+#include "protocol/archive/read_connection.hpp"
 #include "protocol/replay/line.hpp"
 
 #include <SQLiteCpp/Column.h>
@@ -8,7 +9,6 @@
 #include <SQLiteCpp/Statement.h>
 #include <algorithm>
 #include <limits>
-#include <sqlite3.h>
 #include <system_error>
 #include <utility>
 
@@ -16,7 +16,8 @@ namespace poolhall::protocol {
 
 namespace {
 
-constexpr int kBusyTimeoutMs = 2000;
+/// A server is seldom started and stopped; more often within one reading would be a strange one.
+constexpr int kTries = 5;
 
 /// A column of a seat of a row of matches; NULL if nobody ever sat there.
 std::string seat_column(const std::string& column, Seat seat) {
@@ -38,47 +39,6 @@ std::string list_query(SQLite::Database& database) {
 constexpr const char* kExportQuery = R"(
 SELECT records.sum, records.body FROM records JOIN matches ON records.match = matches.num
 WHERE matches.id = ? ORDER BY records.n)";
-
-/// The URI of a file on a medium that nobody can write: SQLite then needs neither locks nor a
-/// shared-memory file.
-std::string immutable_uri(const std::filesystem::path& path) {
-    std::string uri = "file:";
-    for (const char byte : path.string()) {
-        if (byte == '%' || byte == '?' || byte == '#') {
-            uri += byte == '%' ? "%25" : byte == '?' ? "%3f" : "%23";
-        } else {
-            uri += byte;
-        }
-    }
-    return uri + "?immutable=1";
-}
-
-bool has_write_ahead_log(const std::filesystem::path& path) {
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path.string() + "-wal", error);
-    return !error && size > 0;
-}
-
-using OpenDatabase = std::pair<std::unique_ptr<SQLite::Database>, DatabaseState>;
-
-OpenDatabase open_with(const std::string& name, int flags) {
-    auto database = std::make_unique<SQLite::Database>(name, flags, kBusyTimeoutMs);
-    const DatabaseState state = state_of(*database);
-    return {std::move(database), state};
-}
-
-/// Reading a database in WAL mode wants a shared-memory file beside it, which a folder that cannot
-/// be written does not allow. Without a log the file alone is complete.
-OpenDatabase open_read_only(const std::filesystem::path& path) {
-    try {
-        return open_with(path.string(), SQLite::OPEN_READONLY);
-    } catch (const SQLite::Exception& error) {
-        const int code = error.getErrorCode();
-        const bool no_companion_file = code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
-        if (!no_companion_file || has_write_ahead_log(path)) throw;
-        return open_with(immutable_uri(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
-    }
-}
 
 ReplaySummary read_summary(SQLite::Statement& row) {
     ReplaySummary summary;
@@ -106,35 +66,51 @@ Result<ReplayArchive, ArchiveError> ReplayArchive::open(const std::filesystem::p
         return ArchiveError{"there is no replay store at " + path.string()};
     }
     try {
-        auto [database, state] = open_read_only(path);
+        auto connection = std::make_unique<ReadConnection>(path);
+        const DatabaseState state = state_of(connection->database());
         if (state != DatabaseState::kCurrent && state != DatabaseState::kOlder)
             return ArchiveError{describe(path, state)};
-        return ReplayArchive(std::move(path), std::move(database));
+        return ReplayArchive(std::move(path), std::move(connection));
     } catch (const SQLite::Exception& failure) {
-        return ArchiveError{describe(path, failure)};
+        return ArchiveError{describe(path, failure, Access::kRead)};
     }
+}
+
+/// What the query finds. It is asked again where a server began or ended under it.
+template <class Query>
+auto ReplayArchive::read(Query query) const
+    -> Result<decltype(query(std::declval<SQLite::Database&>())), ArchiveError> {
+    for (int tries = 1; tries <= kTries; ++tries) {
+        try {
+            auto found = query(connection_->database());
+            if (connection_->is_current()) return found;
+            *connection_ = ReadConnection(path_);
+        } catch (const SQLite::Exception& failure) {
+            if (connection_->is_current() || tries == kTries)
+                return ArchiveError{describe(path_, failure, Access::kRead)};
+        }
+    }
+    return ArchiveError{path_.string() + " is in use by another program"};
 }
 
 Result<std::vector<ReplaySummary>, ArchiveError> ReplayArchive::list(
     std::size_t limit, std::optional<std::uint64_t> before) const {
     constexpr std::uint64_t kLast = std::numeric_limits<std::int64_t>::max();
-    try {
-        SQLite::Statement query(*database_, list_query(*database_));
+    return read([&](SQLite::Database& database) {
+        SQLite::Statement query(database, list_query(database));
         query.bind(1, static_cast<std::int64_t>(std::min(before.value_or(kLast), kLast)));
         query.bind(2, static_cast<std::int64_t>(std::min<std::uint64_t>(limit, kLast)));
         std::vector<ReplaySummary> summaries;
         while (query.executeStep())
             summaries.push_back(read_summary(query));
         return summaries;
-    } catch (const SQLite::Exception& failure) {
-        return ArchiveError{describe(path_, failure)};
-    }
+    });
 }
 
 Result<std::optional<std::string>, ArchiveError> ReplayArchive::export_match(
     std::string_view id) const {
-    try {
-        SQLite::Statement query(*database_, kExportQuery);
+    return read([&](SQLite::Database& database) {
+        SQLite::Statement query(database, kExportQuery);
         query.bind(1, std::string(id));
         std::optional<std::string> text;
         while (query.executeStep()) {
@@ -144,13 +120,11 @@ Result<std::optional<std::string>, ArchiveError> ReplayArchive::export_match(
             *text += to_line({sum, body});
         }
         return text;
-    } catch (const SQLite::Exception& failure) {
-        return ArchiveError{describe(path_, failure)};
-    }
+    });
 }
 
-ReplayArchive::ReplayArchive(std::filesystem::path path, std::unique_ptr<SQLite::Database> database)
-    : path_(std::move(path)), database_(std::move(database)) {}
+ReplayArchive::ReplayArchive(std::filesystem::path path, std::unique_ptr<ReadConnection> connection)
+    : path_(std::move(path)), connection_(std::move(connection)) {}
 
 ReplayArchive::ReplayArchive(ReplayArchive&& other) noexcept = default;
 ReplayArchive& ReplayArchive::operator=(ReplayArchive&& other) noexcept = default;

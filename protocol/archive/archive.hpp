@@ -11,9 +11,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace poolhall::protocol {
+
+class ReadConnection;
 
 /// What a list shows of a match.
 struct ReplaySummary {
@@ -32,8 +35,9 @@ struct ArchiveError {
     std::string reason;  ///< one sentence with the path
 };
 
-/// A read-only connection to a replay store, of whatever version. A server may write to the store
-/// meanwhile, in this process or another. For one thread at a time; opening one costs some 0.1 ms.
+/// A read-only connection to a replay store, of whatever version, which leaves no file behind. A
+/// server may begin, end and write to the store meanwhile, in this process or another. For one
+/// thread at a time; opening one costs some 0.1 ms.
 class ReplayArchive {
   public:
     /// `data` is the folder that holds kDatabaseFile.
@@ -57,10 +61,14 @@ class ReplayArchive {
     ~ReplayArchive();
 
   private:
-    ReplayArchive(std::filesystem::path path, std::unique_ptr<SQLite::Database> database);
+    ReplayArchive(std::filesystem::path path, std::unique_ptr<ReadConnection> connection);
+
+    template <class Query>
+    auto read(Query query) const
+        -> Result<decltype(query(std::declval<SQLite::Database&>())), ArchiveError>;
 
     std::filesystem::path path_;
-    std::unique_ptr<SQLite::Database> database_;
+    std::unique_ptr<ReadConnection> connection_;
 };
 
 }  // namespace poolhall::protocol

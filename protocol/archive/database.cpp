@@ -3,7 +3,13 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 #include <SQLiteCpp/Transaction.h>
+#include <cerrno>
+#include <fcntl.h>
+#include <optional>
 #include <sqlite3.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
 
 namespace poolhall::protocol {
 
@@ -51,6 +57,26 @@ constexpr const char* kWinner =
 
 int pragma(SQLite::Database& database, const char* query) {
     return database.execAndGet(query).getInt();
+}
+
+/// Why this process may not use the file or folder; nothing if it may, or there is none.
+std::optional<std::string> barrier_at(const std::string& file, Access access) {
+    struct stat found {};
+
+    const bool writes = access == Access::kWrite;
+    if (::stat(file.c_str(), &found) != 0) return std::nullopt;
+    if (::faccessat(AT_FDCWD, file.c_str(), writes ? R_OK | W_OK : R_OK, AT_EACCESS) == 0)
+        return std::nullopt;
+    return file + (writes ? " cannot be written: " : " cannot be read: ") +
+           std::generic_category().message(errno) + "; it belongs to user " +
+           std::to_string(found.st_uid);
+}
+
+/// What keeps this process from the database, the files beside it or their folder.
+std::optional<std::string> find_barrier(const std::filesystem::path& path, Access access) {
+    for (const char* suffix : {"", "-wal", "-shm"})
+        if (auto barrier = barrier_at(path.string() + suffix, access)) return barrier;
+    return barrier_at(path.parent_path().string(), access);
 }
 
 }  // namespace
@@ -101,9 +127,13 @@ void migrate_tables(SQLite::Database& database) {
     transaction.commit();
 }
 
-std::string describe(const std::filesystem::path& path, const SQLite::Exception& error) {
+std::string describe(const std::filesystem::path& path, const SQLite::Exception& error,
+                     Access access) {
     const std::string file = path.string();
-    switch (error.getErrorCode()) {
+    const int code = error.getErrorCode();
+    if (code == SQLITE_CANTOPEN || code == SQLITE_PERM || code == SQLITE_READONLY)
+        if (auto barrier = find_barrier(path, access)) return *barrier;
+    switch (code) {
         case SQLITE_NOTADB:
             return file + " is not a database";
         case SQLITE_CORRUPT:

@@ -42,9 +42,13 @@ void migrate_tables(SQLite::Database& database);
 [[nodiscard]] std::string games_from_records();
 [[nodiscard]] std::string wins_from_records(Seat seat);
 
-/// One sentence with the path: what SQLite met.
+enum class Access { kRead, kWrite };
+
+/// One sentence with the path: what SQLite met. Where a file is in the way that this process may
+/// not read, or write if it wants to, be it the database or one that SQLite keeps beside it, that
+/// file is named with its owner.
 [[nodiscard]] std::string describe(const std::filesystem::path& path,
-                                   const SQLite::Exception& error);
+                                   const SQLite::Exception& error, Access access);
 /// One sentence with the path: why a database in this state (not kOlder or kCurrent) cannot be
 /// used.
 [[nodiscard]] std::string describe(const std::filesystem::path& path, DatabaseState state);

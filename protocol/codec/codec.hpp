@@ -17,10 +17,6 @@ struct DecodeError {
     std::string reason;  ///< one sentence that names the field
 };
 
-/// Reads what a client sent: strict. Every field is checked for type, finiteness, range and length;
-/// a missing or an unknown field is an error. Never throws, whatever the bytes are.
-[[nodiscard]] Result<ClientMessage, DecodeError> decode_client(std::string_view bytes,
-                                                               Encoding encoding);
 [[nodiscard]] std::string encode(const ClientMessage& message, Encoding encoding);
 
 /// Reads what a server sent: unknown fields are skipped. Never throws.

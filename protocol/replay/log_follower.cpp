@@ -126,6 +126,7 @@ void LogFollower::take(const MoveRecord& record, Followed& followed) {
         return;
     }
     MatchStep step = match_->play(record.seat, record.move, at_ms);
+    step.made.at_ms = record.at_ms;
     if (gives(step, record, followed)) {
         match_->commit(std::move(step), record.at_ms);
     } else {
@@ -146,19 +147,20 @@ bool LogFollower::gives(const MatchStep& step, const MoveRecord& record, Followe
     auto& deviations = followed.found.deviations;
     if (step.made.move != record.move)
         deviations.push_back("move " + first_difference(step.made.move, record.move));
+    const bool agrees = step.ruling() == record.ruling && step.after.game == record.state;
     if (record.shot && step.shot() != nullptr) {
         const auto shot = compare(step.shot()->simulated, *record.shot, edition_, followed.found);
-        followed.shot = {shot.hash, shot.as_recorded};
-        if (!shot.as_recorded && !shot.same_edition) {
+        followed.shot = {shot.hash, shot.as_recorded && (agrees || shot.same_edition)};
+        if (!shot.same_edition && !followed.shot->as_recorded) {
             compare_across_editions(step, record, shot, followed);
             return false;
         }
     }
     if (step.ruling() != record.ruling)
         deviations.push_back(differs("ruling", in_words(step.ruling()), in_words(record.ruling)));
-    if (step.after.game == record.state) return step.ruling() == record.ruling;
-    deviations.push_back("state " + first_difference(step.after.game, record.state));
-    return false;
+    if (step.after.game != record.state)
+        deviations.push_back("state " + first_difference(step.after.game, record.state));
+    return agrees;
 }
 
 /// The recorded state counts. `played`: what the move came to here, if it might be made at all.

@@ -38,7 +38,7 @@ std::optional<NumberedRecord> ReplayReader::next() {
     return record;
 }
 
-/// Fills line_ without its line end. std::getline would not bound the length.
+/// Fills line_ without its line end, LF or CRLF. std::getline would not bound the length.
 bool ReplayReader::read_line() {
     line_.clear();
     line_at_ = next_at_;
@@ -47,8 +47,13 @@ bool ReplayReader::read_line() {
         std::streambuf& bytes = *input_.rdbuf();
         for (auto byte = bytes.sbumpc(); byte != kEnd; byte = bytes.sbumpc()) {
             ++next_at_;
-            if (byte == '\n') return true;
-            if (line_.size() == kMaxReplayLineBytes) {
+            if (byte == '\n') {
+                // A record's line ends with "}": a CR at its end is what some program added.
+                if (line_.ends_with('\r')) line_.pop_back();
+                return true;
+            }
+            const bool may_end = byte == '\r' && line_.size() == kMaxReplayLineBytes;
+            if (line_.size() >= kMaxReplayLineBytes && !may_end) {
                 stop(DamageKind::kLineTooLong, "the line is longer than 1 MiB");
                 return false;
             }

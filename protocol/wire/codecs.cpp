@@ -14,9 +14,22 @@ const std::string& text_of(const Cursor& cursor) {
     return cursor.json().get_ref<const std::string&>();
 }
 
+/// Whether the double is the integer, not one near it.
+bool is_exact(const Json& integer, double value) {
+    constexpr double kTwoTo63 = 9223372036854775808.0;
+    if (integer.is_number_unsigned())
+        return value < 2 * kTwoTo63 &&
+               static_cast<std::uint64_t>(value) == integer.get<std::uint64_t>();
+    return static_cast<std::int64_t>(value) == integer.get<std::int64_t>();
+}
+
 bool read_finite(const Cursor& cursor, double& value) {
-    if (!cursor.json().is_number()) return cursor.refuse("must be a number");
-    value = cursor.json().get<double>();
+    const Json& json = cursor.json();
+    if (json.is_discarded()) return cursor.refuse("must be a number that a double can hold");
+    if (!json.is_number()) return cursor.refuse("must be a number");
+    value = json.get<double>();
+    if (json.is_number_integer() && !is_exact(json, value))
+        return cursor.refuse("must be a number that a double can hold");
     return std::isfinite(value) || cursor.refuse("must be finite");
 }
 
@@ -52,9 +65,10 @@ bool SceneNumber::read(const Cursor& cursor, double& value) const {
 bool Integer::read_number(const Cursor& cursor, std::uint32_t& value) const {
     const Json& json = cursor.json();
     if (!json.is_number_integer()) return cursor.refuse("must be an integer");
-    // A negative number is the only kind that is not stored as unsigned.
-    const bool fits = json.is_number_unsigned() && json.get<std::uint64_t>() >= min &&
-                      json.get<std::uint64_t>() <= max;
+    // What is stored as signed is negative, or the -0 of JSON.
+    const bool negative = !json.is_number_unsigned() && json.get<std::int64_t>() < 0;
+    const bool fits =
+        !negative && json.get<std::uint64_t>() >= min && json.get<std::uint64_t>() <= max;
     if (!fits)
         return cursor.refuse("must be from " + std::to_string(min) + " to " + std::to_string(max));
     value = json.get<std::uint32_t>();
@@ -92,7 +106,7 @@ bool PersonName::read(const Cursor& cursor, std::string& value) const {
     if (!expect_text(cursor)) return false;
     value = text_of(cursor);
     if (may_be_empty && value.empty()) return true;
-    const auto fault = find_name_fault(value);
+    const auto fault = cursor.name_entry() ? cursor.name_entry()(value) : find_name_fault(value);
     return !fault || cursor.refuse(std::string(*fault));
 }
 

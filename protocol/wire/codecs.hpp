@@ -94,7 +94,9 @@ struct Text {
     }
 };
 
-/// What a player or spectator is called.
+/// What a player or spectator is called. Where a name enters, Reading::enter_name says what it may
+/// be and becomes; what a server has taken, today's or an older one, is only checked for what could
+/// harm a display.
 struct PersonName {
     bool may_be_empty = false;
 

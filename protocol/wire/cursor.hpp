@@ -26,11 +26,15 @@ struct ReadError {
     std::string reason;   ///< completes "field <pointer> ...": "must be a number"
 };
 
+/// Brings a person's name into the form that is kept; why it cannot, or nothing.
+using NameEntry = std::optional<std::string_view> (*)(std::string& name);
+
 /// What the cursors of one reading share.
 struct Reading {
     UnknownFields unknown_fields = UnknownFields::kRefuse;
     HexFloats hex_floats = HexFloats::kRead;
-    std::optional<ReadError> error;
+    NameEntry enter_name = nullptr;  ///< none where names are read that a server has taken
+    std::optional<ReadError> error = {};
 };
 
 /// A value in a tree and the way to it. Cursors live on the stack, each within the life of the one
@@ -46,6 +50,8 @@ class Cursor {
     }
 
     [[nodiscard]] bool reads_hex_floats() const { return reading_.hex_floats == HexFloats::kRead; }
+
+    [[nodiscard]] NameEntry name_entry() const { return reading_.enter_name; }
 
     /// The field of an object, or nullptr.
     [[nodiscard]] const Json* find(std::string_view key) const;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -24,6 +25,22 @@ constexpr auto kMaxSweepInterval = std::chrono::milliseconds(5000);
 constexpr auto kDrainTime = std::chrono::seconds(2);
 constexpr auto kCutOffTime = std::chrono::seconds(2);
 
+/// How many connections there may be: as many as there are sessions, and as files that this process
+/// may have open beside those of the store.
+std::size_t connection_limit(const ServerConfig& config) {
+    constexpr std::size_t kSpareConnections =
+        64;  // for HTTP, and to be told that the server is full
+    constexpr std::size_t kOtherFiles = 64;
+    rlimit files{};
+    const std::size_t wanted = config.max_sessions + kSpareConnections;
+    if (getrlimit(RLIMIT_NOFILE, &files) != 0 || files.rlim_cur == RLIM_INFINITY) return wanted;
+    const std::size_t possible =
+        files.rlim_cur - std::min<std::size_t>(files.rlim_cur / 2, kOtherFiles);
+    if (possible >= wanted) return wanted;
+    spdlog::warn("at most {} connections: the limit of open files is {}", possible, files.rlim_cur);
+    return possible;
+}
+
 std::chrono::milliseconds sweep_interval(std::uint32_t idle_timeout) {
     return std::min<std::chrono::milliseconds>(kMaxSweepInterval,
                                                std::chrono::milliseconds(250) * idle_timeout);
@@ -34,7 +51,8 @@ std::chrono::milliseconds sweep_interval(std::uint32_t idle_timeout) {
 struct Server::State {
     State(const ServerConfig& config, std::unique_ptr<ReplayStore> opened,
           std::unique_ptr<Shards> made, std::unique_ptr<Listener> bound)
-        : store(std::move(opened)),
+        : admission({connection_limit(config), config.max_per_address}, counters),
+          store(std::move(opened)),
           shards(std::move(made)),
           listener(std::move(bound)),
           lobby({*store,
@@ -43,17 +61,12 @@ struct Server::State {
                  {config.max_spectators, std::chrono::seconds(config.idle_timeout)},
                  config.max_matches}),
           sessions{lobby, *shards, counters},
-          services{sessions,
-                   counters,
-                   {lobby, *store, counters, [this] { return !draining.load(); }},
-                   readers,
-                   config.allow_origin,
-                   config.max_sessions},
-          listening{shards->loops(), counters, config.max_sessions,
-                    [this](net::Socket socket, std::size_t loop) {
-                        const ShardId shard{static_cast<std::uint32_t>(loop)};
-                        return serve_connection(std::move(socket), shards->at(shard), services);
-                    }},
+          http{admission,
+               sessions,
+               {lobby, *store, counters, [this] { return !draining.load(); }},
+               readers,
+               config.allow_origin,
+               config.max_sessions},
           sweep_timer(shards->at({}).loop()),
           sweep_every(sweep_interval(config.idle_timeout)) {}
 
@@ -63,6 +76,7 @@ struct Server::State {
     void run_rest();
 
     Counters counters;
+    Admission admission;  // before the loops, which have connections to the end
     std::unique_ptr<ReplayStore> store;
     std::unique_ptr<Shards> shards;
     std::unique_ptr<Listener> listener;
@@ -70,8 +84,7 @@ struct Server::State {
     boost::asio::thread_pool readers{1};
     std::atomic<bool> draining{false};
     SessionServices sessions;
-    ConnectionServices services;
-    ListenerServices listening;
+    HttpServices http;
     LoopTimer sweep_timer;
     std::chrono::milliseconds sweep_every;
 };
@@ -127,7 +140,11 @@ Result<std::unique_ptr<Server>, std::string> Server::start(const ServerConfig& c
     auto state =
         std::make_unique<State>(config, std::move(*store), std::move(shards), std::move(*listener));
     state->reopen_matches(*open);
-    state->listener->start(state->listening);
+    state->listener->start(
+        state->shards->loops(), [&state = *state](net::Socket socket, std::size_t loop) {
+            const ShardId shard{static_cast<std::uint32_t>(loop)};
+            serve_connection(std::move(socket), state.shards->at(shard), state.http);
+        });
     state->schedule_sweep();
     state->shards->start();
     spdlog::info("listening on {}, {} threads, data in {}", state->listener->address(),

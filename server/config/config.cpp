@@ -41,6 +41,10 @@ const std::array kSettings{
             1'000'000},
     Setting{"max-sessions", "N", "WebSocket sessions at once", &ServerConfig::max_sessions, 1,
             1'000'000},
+    Setting{
+        "max-per-address", "N",
+        "Connections of one address (IPv6: of one /64) at once, 0 for no bound, as behind a proxy",
+        &ServerConfig::max_per_address, 0, 1'000'000},
     Setting{"idle-timeout", "SECONDS", "A match with nobody connected is closed after this",
             &ServerConfig::idle_timeout, 1, 31'536'000},
     Setting{"log-level", "LEVEL", "trace, debug, info, warn, error or off",

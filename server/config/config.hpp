@@ -16,7 +16,8 @@ struct ServerConfig {
     std::uint32_t max_matches = 10000;
     std::uint32_t max_spectators = 1000;  ///< of one match
     std::uint32_t max_sessions = 20000;
-    std::uint32_t idle_timeout = 1800;  ///< s until a match with nobody connected is closed
+    std::uint32_t max_per_address = 1000;  ///< connections of one address (IPv6: /64); 0: no bound
+    std::uint32_t idle_timeout = 1800;     ///< s until a match with nobody connected is closed
     std::string log_level = "info";
     std::vector<std::string> allow_origin;  ///< web pages that may connect; empty: the same host's
 };

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "server/http/connection_services.hpp"
+#include "server/http/http_services.hpp"
 #include "server/net/asio.hpp"
 
 namespace poolhall::server {
 
-/// Serves one connection, on the shard's loop: HTTP requests until one of them asks for a
-/// WebSocket.
-[[nodiscard]] net::Async<void> serve_connection(net::Socket socket, Shard& shard,
-                                                ConnectionServices& services);
+/// Serves a new connection on the shard's loop, if there is a place for it: HTTP requests until one
+/// of them asks for a WebSocket. Safe from any thread.
+void serve_connection(net::Socket socket, Shard& shard, HttpServices& services);
 
 }  // namespace poolhall::server

@@ -1,32 +1,21 @@
 #include "server/http/handshake.hpp"
 
 #include "protocol/limits.hpp"
+#include "server/http/authority.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace poolhall::server {
 namespace {
 
-bool same_text(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return lower(x) == lower(y); });
-}
-
-/// A page may connect if it comes from where it connects to. The scheme is not compared: a proxy in
-/// front may speak TLS.
+/// A page may connect if it comes from where it connects to, or from where it may come from.
 bool origin_allowed(const Handshake& handshake, const std::vector<std::string>& allowed) {
     if (!handshake.origin) return true;
     const std::string_view origin = *handshake.origin;
-    if (std::any_of(allowed.begin(), allowed.end(), [&](const std::string& entry) {
-            return entry == "*" || same_text(entry, origin);
-        }))
-        return true;
-    if (!allowed.empty()) return false;
-    const std::size_t scheme = origin.find("://");
-    return scheme != std::string_view::npos && !handshake.host.empty() &&
-           same_text(origin.substr(scheme + 3), handshake.host);
+    if (allowed.empty()) return is_own_origin(origin, handshake.host);
+    return std::any_of(allowed.begin(), allowed.end(), [&](const std::string& entry) {
+        return entry == "*" || is_same_origin(entry, origin);
+    });
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -33,12 +33,9 @@ json to_json(const MatchSummary& match) {
                          {"connected", seat.connected},
                          {"name", seat.name},
                          {"wins", seat.wins}});
-    json listed{{"match", match.id},
-                {"game", match.game},
-                {"phase", name(match.phase)},
-                {"game_number", match.game_number},
-                {"shots", match.shots},
-                {"spectators", match.spectators},
+    json listed{{"match", match.id},          {"game", match.game},
+                {"phase", name(match.phase)}, {"game_number", match.game_number},
+                {"shots", match.shots},       {"spectators", match.spectators},
                 {"seats", std::move(seats)}};
     if (!match.code.empty()) listed["code"] = match.code;
     return listed;
@@ -71,6 +68,8 @@ HttpReply metrics(const Counters& counters) {
         text += "poolhall_" + std::string(name) + " " + std::to_string(value) + "\n";
     };
     add("connections", "gauge", counters.connections.load());
+    add("connections_refused_total", "counter", counters.connections_refused.load());
+    add("connections_evicted_total", "counter", counters.connections_evicted.load());
     add("sessions", "gauge", counters.sessions.load());
     add("matches", "gauge", counters.matches.load());
     add("shots_total", "counter", counters.shots.load());
@@ -182,6 +181,11 @@ Route find_get(const RouteServices& services, std::string_view path, std::string
 
 HttpReply error_reply(int status, const std::string& sentence) {
     return {status, "application/json", json{{"error", sentence}}.dump() + "\n", {}};
+}
+
+bool is_health_check(std::string_view target) {
+    const std::string_view path = target.substr(0, target.find('?'));
+    return path == "/healthz" || path == "/readyz" || path == "/metrics";
 }
 
 Route find_route(const RouteServices& services, std::string_view method, std::string_view target) {

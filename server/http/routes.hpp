@@ -20,6 +20,9 @@ struct Route {
     std::function<HttpReply()> answer;
 };
 
+/// Whether the target is one of those that tell how the server does.
+[[nodiscard]] bool is_health_check(std::string_view target);
+
 /// What a request is answered with; errors are routes too. `target` is the request's, with its
 /// query.
 [[nodiscard]] Route find_route(const RouteServices& services, std::string_view method,

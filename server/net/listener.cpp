@@ -14,8 +14,6 @@ namespace {
 
 /// Taken in one go before ticks get their turn again.
 constexpr int kBatch = 64;
-/// Connections beyond the sessions: for HTTP, and to be told that the server is full.
-constexpr std::int64_t kSpareConnections = 64;
 /// After an error such as "too many open files", which only time heals.
 constexpr auto kRetry = std::chrono::milliseconds(100);
 constexpr auto kComplainEvery = std::chrono::seconds(10);
@@ -39,19 +37,20 @@ std::optional<net::ip::tcp::endpoint> parse_endpoint(std::string_view text) {
 }  // namespace
 
 struct Listener::State {
-    State(Loop& home, net::ip::tcp::endpoint bound)
-        : loop(home), acceptor(home.context().get_executor()), endpoint(std::move(bound)) {}
+    State(Loop& where, net::ip::tcp::endpoint bound)
+        : home(where), acceptor(where.context().get_executor()), endpoint(std::move(bound)) {}
 
-    Loop& loop;
+    Loop& home;
     net::Acceptor acceptor;
     net::ip::tcp::endpoint endpoint;
+    std::vector<Loop*> loops;
+    Serve serve;
     std::size_t next = 0;
     std::chrono::steady_clock::time_point complained{};
 
     void open(net::error_code& error);
-    net::Async<void> run(const ListenerServices& services);
-    net::error_code take_batch(const ListenerServices& services);
-    static void serve(net::Socket socket, std::size_t loop, const ListenerServices& services);
+    net::Async<void> run();
+    net::error_code take_batch();
     void complain(net::error_code error);
 };
 
@@ -66,13 +65,13 @@ void Listener::State::open(net::error_code& error) {
 
 /// Waits once, then takes all that are there: with one wait for each connection, a storm of them
 /// stalls.
-net::Async<void> Listener::State::run(const ListenerServices& services) {
+net::Async<void> Listener::State::run() {
     net::Timer retry(acceptor.get_executor());
     while (acceptor.is_open()) {
         const auto [failed] =
             co_await acceptor.async_wait(net::socket_base::wait_read, net::kAwait);
         if (failed) co_return;
-        const net::error_code error = take_batch(services);
+        const net::error_code error = take_batch();
         if (!error) continue;
         complain(error);
         retry.expires_after(kRetry);
@@ -80,33 +79,17 @@ net::Async<void> Listener::State::run(const ListenerServices& services) {
     }
 }
 
-net::error_code Listener::State::take_batch(const ListenerServices& services) {
+net::error_code Listener::State::take_batch() {
     for (int taken = 0; taken < kBatch; ++taken) {
-        const std::size_t home = next++ % services.loops.size();
+        const std::size_t loop = next++ % loops.size();
         net::error_code error;
-        net::Socket socket = acceptor.accept(services.loops[home]->context().get_executor(), error);
+        net::Socket socket = acceptor.accept(loops[loop]->context().get_executor(), error);
         if (error == net::error::would_block) return {};
         if (error == net::error::connection_aborted) continue;
         if (error) return error;
-        const std::int64_t open = services.counters.connections.load();
-        if (open < services.max_sessions + kSpareConnections)
-            serve(std::move(socket), home, services);
+        serve(std::move(socket), loop);
     }
     return {};
-}
-
-void Listener::State::serve(net::Socket socket, std::size_t loop,
-                            const ListenerServices& services) {
-    const auto executor = services.loops[loop]->context().get_executor();
-    net::co_spawn(executor, services.serve(std::move(socket), loop),
-                  [](const std::exception_ptr& thrown) {
-                      if (!thrown) return;
-                      try {
-                          std::rethrow_exception(thrown);
-                      } catch (const std::exception& error) {
-                          spdlog::error("a connection ended by an exception: {}", error.what());
-                      }
-                  });
 }
 
 void Listener::State::complain(net::error_code error) {
@@ -117,11 +100,11 @@ void Listener::State::complain(net::error_code error) {
 }
 
 Result<std::unique_ptr<Listener>, std::string> Listener::bind(std::string_view address,
-                                                              Loop& loop) {
+                                                              Loop& home) {
     const auto endpoint = parse_endpoint(address);
     if (!endpoint)
         return "cannot listen on '" + std::string(address) + "': it is not of the form ADDR:PORT";
-    auto state = std::make_shared<State>(loop, *endpoint);
+    auto state = std::make_shared<State>(home, *endpoint);
     net::error_code error;
     state->open(error);
     if (error) return "cannot listen on " + std::string(address) + ": " + error.message();
@@ -132,15 +115,15 @@ Listener::Listener(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
 Listener::~Listener() = default;
 
-void Listener::start(const ListenerServices& services) {
-    const auto run = [state = state_, &services]() -> net::Async<void> {
-        co_await state->run(services);
-    };
-    net::co_spawn(state_->loop.context().get_executor(), run, net::detached);
+void Listener::start(std::vector<Loop*> loops, Serve serve) {
+    state_->loops = std::move(loops);
+    state_->serve = std::move(serve);
+    const auto run = [state = state_]() -> net::Async<void> { co_await state->run(); };
+    net::co_spawn(state_->home.context().get_executor(), run, net::detached);
 }
 
 void Listener::stop() {
-    state_->loop.post([state = state_] {
+    state_->home.post([state = state_] {
         net::error_code ignored;  // it is closed either way
         state->acceptor.close(ignored);
     });

@@ -1,8 +1,9 @@
 // The game: aims, moves, the playout of shots, the shot clock.
-#include "server/base/cpu_time.hpp"
 #include "server/base/identity.hpp"
 #include "server/room/room.hpp"
 #include "shared/physics/simulate.hpp"
+
+#include <boost/chrono/thread_clock.hpp>
 
 #include <algorithm>
 #include <spdlog/spdlog.h>
@@ -30,9 +31,9 @@ void Room::on(Request request, const protocol::Aim& command) {
 
 /// Store, then show.
 void Room::on(Request request, const protocol::MakeMove& command) {
-    const auto begin = cpu_time_of_thread();
+    const auto begin = boost::chrono::thread_clock::now();
     MatchStep step = table_.match.play(command.seat, command.move, unix_ms());
-    const auto cpu = cpu_time_of_thread() - begin;
+    const std::chrono::nanoseconds cpu((boost::chrono::thread_clock::now() - begin).count());
     StoreJob job = move_job(step);
     store({std::move(job)}, [this, cpu, request = std::move(request),
                              step = std::move(step)](const auto& error) mutable {

@@ -1,6 +1,7 @@
 #include "server/session/session.hpp"
 
 #include "protocol/codec/codec.hpp"
+#include "protocol/intake/decode_client.hpp"
 #include "protocol/limits.hpp"
 #include "server/base/identity.hpp"
 #include "server/delivery/outbox.hpp"

@@ -23,7 +23,14 @@ std::string reason_of(int error) {
 Result<FolderLock, FolderLock::Error> FolderLock::take(const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / kLockFile;
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kOwnerOnly);
-    if (file < 0) return Error{"cannot write to " + folder.string() + ": " + reason_of(errno)};
+    if (file < 0) {
+        const int error = errno;
+        std::error_code unknown;
+        // A file that is there was left by a server of another user.
+        const bool there = std::filesystem::exists(path, unknown);
+        return Error{"cannot write to " + (there ? path : folder).string() + ": " +
+                     reason_of(error)};
+    }
     FolderLock lock(file);
     if (::flock(file, LOCK_EX | LOCK_NB) == 0) return lock;
     if (errno == EWOULDBLOCK) return Error{folder.string() + " is in use by another server"};

@@ -68,7 +68,7 @@ Result<OpenMatches, StoreError> ReplayStore::load_open_matches() const {
             }
         }
     } catch (const SQLite::Exception& failure) {
-        return StoreError{protocol::describe(path, failure)};
+        return StoreError{protocol::describe(path, failure, protocol::Access::kWrite)};
     }
     return open;
 }

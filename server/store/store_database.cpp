@@ -57,7 +57,7 @@ Result<std::unique_ptr<StoreDatabase>, StoreDatabase::Error> StoreDatabase::open
         store->prepare();
         return store;
     } catch (const SQLite::Exception& failure) {
-        return Error{describe(path, failure)};
+        return Error{describe(path, failure, protocol::Access::kWrite)};
     } catch (const std::exception& failure) {
         return Error{failure.what()};
     }
@@ -95,7 +95,7 @@ std::vector<JobFailure> StoreDatabase::apply(std::span<const StoreJob* const> jo
             failures.push_back(statements.apply(*job));
         transaction.commit();
     } catch (const SQLite::Exception& failure) {
-        failures.assign(jobs.size(), describe(path_, failure));
+        failures.assign(jobs.size(), describe(path_, failure, protocol::Access::kWrite));
     } catch (const std::exception& failure) {
         failures.assign(jobs.size(), path_.string() + ": " + failure.what());
     }

@@ -2,6 +2,7 @@
 
 #include "protocol/codec/codec.hpp"
 #include "protocol/codec/scene_json.hpp"
+#include "protocol/intake/decode_client.hpp"
 #include "protocol/tree.hpp"
 
 #include <cstdlib>

@@ -45,7 +45,7 @@ void print_build() {
 /// A server of its own, and the clients.
 class Scene {
   public:
-    Scene() : server_(folder_.path(), {"--log-level", "warn"}) {}
+    Scene() : server_(folder_.path(), {"--log-level", "warn", "--max-per-address", "0"}) {}
 
     Player& add(Encoding encoding) {
         return players_.emplace_back(context_, server_.port(), encoding);

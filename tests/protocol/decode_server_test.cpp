@@ -242,7 +242,7 @@ TEST(DecodeServer, RefusesAPocketedBallWithoutItsPocket) {
     expect_bad(tree, "field /balls/0/pocket must be there for a pocketed ball and for no other");
 }
 
-TEST(DecodeServer, RefusesLongMessages) {
+TEST(DecodeServer, RefusesMessagesBeyondOneMebibyte) {
     const std::string bytes = R"({"type":"pong","seq":1})" + std::string(1U << 20U, ' ');
     EXPECT_FALSE(decode_server(bytes, Encoding::kJson).ok());
 }

@@ -1,4 +1,5 @@
 #include "protocol/codec/codec.hpp"
+#include "protocol/intake/decode_client.hpp"
 #include "protocol/limits.hpp"
 #include "protocol/messages.hpp"
 #include "tests/protocol/types.hpp"

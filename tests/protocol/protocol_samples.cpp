@@ -2,7 +2,9 @@
 //
 //   protocol_samples catalog
 //       {"client": {TYPE: {FIELD: required}}, "server": ..., "moves": ..., "games": ..., "parts":
-//        ..., "listed": {PART: {FIELD: {"unit", "default", "minimum", "maximum", ...}}}}
+//       ...,
+//        "listed": {PART: {FIELD: {"unit", "default", "minimum", "maximum", ...}}},
+//        "solver_kinds": [...], "models": {EFFECT: [...]}}
 //   protocol_samples leaves
 //       JSON Lines {"pointer": "/strike/speed", "scene": {...}}, one for each number, name and
 //       choice of a scene
@@ -64,43 +66,61 @@ Json fields_by_type(const Json& others) {
     return types;
 }
 
+/// Calls visit(name, type of its parameters) for each effect.
+template <class Visit>
+void for_each_effect(Visit visit) {
+    const Effects effects;
+    for_each_field(effects, [&]<class Effect>(const auto& field, const Effect& effect) {
+        if constexpr (requires { *effect; }) {
+            visit(field.name, std::type_identity<typename Effect::value_type>{});
+        } else {
+            visit(field.name, std::type_identity<Effect>{});
+        }
+    });
+}
+
+template <NamedEnum E>
+Json names_of() {
+    Json names = Json::array();
+    for (const E value : kValues<E>)
+        names.push_back(poolhall::name(value));
+    return names;
+}
+
 /// The objects within messages, by their names in the schemas.
 Json parts() {
     Json scene = fields_of<Scene>({{"schema", true}});
     scene["strike"] = false;
-    return {{"game.json",
-             {{"settings", fields_of<MatchSettings>()},
-              {"stroke", fields_of<Stroke>()},
-              {"state", fields_of<GameState>()},
-              {"legal", fields_of<Legal>()},
-              {"region", fields_of<Region>()},
-              {"stroke_bounds", fields_of<StrokeBounds>()},
-              {"ruling", fields_of<Ruling>()}}},
-            {"server-message.json",
-             {{"table_state", fields_of<TableState>()},
-              {"seat_info", fields_of<SeatInfo>()},
-              {"live_shot", fields_of<LiveShot>()},
-              {"ball_state", fields_of<BallState>()},
-              {"event", fields_of<wire::EventForm>()},
-              {"final_ball", fields_of<wire::FinalBallForm>()}}},
-            {"scene.json",
-             {{"", scene},
-              {"table", fields_of<Table>()},
-              {"ball_spec", fields_of<BallSpec>()},
-              {"pocket_circle", fields_of<PocketCircle>()},
-              {"effects", fields_of<Effects>()},
-              {"linear_drag", fields_of<LinearDragSpec>()},
-              {"sliding", fields_of<SlidingSpec>()},
-              {"rolling", fields_of<RollingSpec>()},
-              {"spin_decay", fields_of<SpinDecaySpec>()},
-              {"ball_ball", fields_of<BallBallSpec>()},
-              {"friction_by_speed", fields_of<FrictionBySpeed>()},
-              {"rail", fields_of<RailSpec>()},
-              {"airborne", fields_of<AirborneSpec>()},
-              {"solver", fields_of<SolverSpec>()},
-              {"ball", fields_of<SceneBall>()},
-              {"limits", fields_of<Limits>()},
-              {"strike", fields_of<wire::StrikeForm>()}}}};
+    Json parts{{"game.json",
+                {{"settings", fields_of<MatchSettings>()},
+                 {"stroke", fields_of<Stroke>()},
+                 {"state", fields_of<GameState>()},
+                 {"legal", fields_of<Legal>()},
+                 {"region", fields_of<Region>()},
+                 {"stroke_bounds", fields_of<StrokeBounds>()},
+                 {"ruling", fields_of<Ruling>()}}},
+               {"server-message.json",
+                {{"table_state", fields_of<TableState>()},
+                 {"seat_info", fields_of<SeatInfo>()},
+                 {"live_shot", fields_of<LiveShot>()},
+                 {"ball_state", fields_of<BallState>()},
+                 {"event", fields_of<wire::EventForm>()},
+                 {"final_ball", fields_of<wire::FinalBallForm>()}}},
+               {"scene.json",
+                {{"", scene},
+                 {"table", fields_of<Table>()},
+                 {"ball_spec", fields_of<BallSpec>()},
+                 {"pocket_circle", fields_of<PocketCircle>()},
+                 {"effects", fields_of<Effects>()},
+                 {"friction_by_speed", fields_of<FrictionBySpeed>()},
+                 {"solver", fields_of<SolverSpec>()},
+                 {"ball", fields_of<SceneBall>()},
+                 {"limits", fields_of<Limits>()},
+                 {"strike", fields_of<wire::StrikeForm>()}}}};
+    for_each_effect([&]<class Spec>(std::string_view name, std::type_identity<Spec>) {
+        parts["scene.json"][name] = fields_of<Spec>();
+    });
+    return parts;
 }
 
 /// Of numbers: what the list of fields says of them, in the words of a schema.
@@ -128,22 +148,11 @@ Json listed_fields_of() {
     return fields;
 }
 
-/// The parameters of all effects, each under the effect's name.
-Json listed_effects() {
-    Json parts = Json::object();
-    const Effects effects;
-    for_each_field(effects, [&]<class Effect>(const auto& field, const Effect& effect) {
-        if constexpr (requires { *effect; }) {
-            parts[field.name] = listed_fields_of<typename Effect::value_type>();
-        } else {
-            parts[field.name] = listed_fields_of<Effect>();
-        }
-    });
-    return parts;
-}
-
 Json listed() {
-    Json parts = listed_effects();
+    Json parts = Json::object();
+    for_each_effect([&]<class Spec>(std::string_view name, std::type_identity<Spec>) {
+        parts[name] = listed_fields_of<Spec>();
+    });
     parts[""] = listed_fields_of<Scene>();
     parts["table"] = listed_fields_of<Table>();
     parts["ball_spec"] = listed_fields_of<BallSpec>();
@@ -163,12 +172,15 @@ void print_leaves() {
 }
 
 void print_catalog() {
-    const Json catalog{{"client", fields_by_type<ClientBody>({{"type", true}, {"seq", true}})},
-                       {"server", fields_by_type<ServerMessage>({{"type", true}})},
-                       {"moves", fields_by_type<Move>({{"type", true}})},
-                       {"games", fields_by_type<GamePart>({{"type", true}})},
-                       {"parts", parts()},
-                       {"listed", listed()}};
+    const Json catalog{
+        {"client", fields_by_type<ClientBody>({{"type", true}, {"seq", true}})},
+        {"server", fields_by_type<ServerMessage>({{"type", true}})},
+        {"moves", fields_by_type<Move>({{"type", true}})},
+        {"games", fields_by_type<GamePart>({{"type", true}})},
+        {"parts", parts()},
+        {"listed", listed()},
+        {"solver_kinds", names_of<SolverKind>()},
+        {"models", {{"ball_ball", names_of<BallBallModel>()}, {"rail", names_of<RailModel>()}}}};
     std::cout << catalog.dump() << "\n";
 }
 

@@ -30,7 +30,7 @@ Seat seat(Random& random) {
 /// Player names of several scripts, with what must be escaped in JSON.
 std::string person(Random& random) {
     static constexpr std::array<std::string_view, 6> kNames{"Ann",     "Jürgen Ö.", "李小龍",
-                                                            "a\"b\\c", "🎱 shark",   "  x"};
+                                                            "a\"b\\c", "🎱 shark",   "x y"};
     return std::string(kNames[random.below(kNames.size())]);
 }
 

@@ -96,6 +96,12 @@ class Schemas(unittest.TestCase):
                     self.assertEqual(bounds, {key: listed[key] for key in KEYS if key in listed})
                     self.assertIn(listed["unit"], found.get("description", ""))
 
+    def test_have_the_solvers_and_models_of_the_code(self):
+        parts = schema("scene.json")["$defs"]
+        self.assertEqual(parts["solver_kind"]["enum"], CATALOG["solver_kinds"])
+        for effect, names in CATALOG["models"].items():
+            self.assertEqual(parts[effect]["properties"]["model"]["enum"], names)
+
     def test_know_every_field_of_a_scene(self):
         root, check = schema("scene.json"), validator("scene.json")
         leaves = samples("leaves")
@@ -205,6 +211,12 @@ def names_in_rows(text):
 
 
 class Page(unittest.TestCase):
+    def test_names_every_solver_of_a_scene(self):
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        row = re.search(r"^\| `solver` \| object \| (.*) \|$", page, re.M)[1]
+        for name in CATALOG["solver_kinds"]:
+            self.assertIn(f"`{name}`", row)
+
     def test_has_a_row_with_the_parameters_and_defaults_of_each_effect(self):
         page = (FOLDER / "PROTOCOL.md").read_text()
         part = page[page.index("#### Effects"): page.index("### Settings")]

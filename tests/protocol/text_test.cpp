@@ -48,7 +48,16 @@ TEST(HexFloats, AgreeWithPrintf) {
     }
 }
 
-TEST(HexFloats, RefuseEverythingElse) {
+TEST(HexFloats, WithMoreBitsThanADoubleHasAreRefused) {
+    for (const char* text : {"0x1.00000000000008p0", "0x1.fffffffffffff8p0", "0x20000000000001",
+                             "0x1p-1075", "0x1.8p-1074", "-0x0.00000000000018p-1022"})
+        EXPECT_EQ(parse_hex_float(text), std::nullopt) << text;
+    for (const char* text : {"0x1.00000000000010p0", "0x1fffffffffffff00", "0x1p-1074",
+                             "0x000001.8", "0x0.000000000000000000000000008P+4", "0x0p-99999"})
+        EXPECT_TRUE(parse_hex_float(text)) << text;
+}
+
+TEST(HexFloats, InAnyOtherFormAreRefused) {
     for (const char* text : {"",          "0x",      "x1p0",
                              "1.5",       "0x1p",    "0x1p+",
                              "0x1.8p-1 ", " 0x1p0",  "0x1p0x",

@@ -34,6 +34,28 @@ TEST(ParseTree, ReadsHalfPrecisionFloats) {
     EXPECT_EQ(tree->get<double>(), 1.5);
 }
 
+TEST(ParseTree, NumbersThatNeither64BitsNorADoubleHoldAreOfNoType) {
+    for (const char* json : {"1e400", "-2E308", "18446744073709551617", "-9223372036854775809"}) {
+        const auto tree = parse_tree(json, Encoding::kJson);
+        ASSERT_TRUE(tree.ok()) << json;
+        EXPECT_TRUE(tree->is_discarded()) << json;
+    }
+    for (const char* json : {"18446744073709551616", "-9223372036854775808", "1.7e308", "1e-400",
+                             "0.1", "36893488147419103232"}) {
+        const auto tree = parse_tree(json, Encoding::kJson);
+        ASSERT_TRUE(tree.ok()) << json;
+        EXPECT_TRUE(tree->is_number()) << json;
+    }
+}
+
+TEST(ParseTree, ANumberBeyondAllDoublesHidesNoFaultBehindIt) {
+    EXPECT_EQ(fault("[1e400,tru]", Encoding::kJson), "a syntax error at byte 11");
+    EXPECT_EQ(fault("[1e400,1e400e]", Encoding::kJson), "a syntax error at byte 12");
+    EXPECT_EQ(fault("[1e400", Encoding::kJson), "a syntax error at byte 7");
+    EXPECT_EQ(fault(R"([1e400,{"a":1e400,"a":1}])", Encoding::kJson),
+              "the key a twice in one object");
+}
+
 TEST(ParseTree, AllowsEightLevelsAndNotNine) {
     for (const Encoding encoding : {Encoding::kJson, Encoding::kCbor}) {
         nlohmann::ordered_json eight = 1;
@@ -98,7 +120,7 @@ TEST(ParseTree, RefusesAKeyTwice) {
     EXPECT_EQ(cbor_fault("\xA2\x61k\x01\x61k\x02"), "the key k twice in one object");
 }
 
-TEST(ParseTree, RefusesHugeObjects) {
+TEST(ParseTree, RefusesObjectsOfMoreThan64Keys) {
     std::string json = "{";
     for (int i = 0; i < 100; ++i)
         json += "\"" + std::to_string(i) + "\":1,";

@@ -13,8 +13,8 @@ TEXTS = re.compile(r'\{\s*((?:"[^"]*"\s*,?\s*)+)\}')
 END = re.compile(r"\b(\w+)::k\w+\)?\s*\+\s*1\b|\bk(?:Last|End|Count)<[\w:]+>\s*=")
 
 # What never leaves the program and so has no name. Every other enumeration of shared and protocol has a table.
-NAMELESS = {"Access", "DamageKind", "DatabaseState", "HexFloats", "Major", "MoveFault", "Numbers", "Presence", "Scheme",
-            "UnknownFields", "VerticalPart"}
+NAMELESS = {"Access", "DamageKind", "DatabaseState", "HexFloats", "Major", "MoveFault", "Numbers", "Presence",
+            "RecordFault", "Scheme", "UnknownFields", "VerticalPart"}
 
 
 def snake(name):

@@ -2,6 +2,7 @@
 
 #include "client/desktop/app/physics_file.hpp"
 #include "client/desktop/view/layout.hpp"
+#include "protocol/intake/person_name.hpp"
 #include "protocol/text.hpp"
 #include "shared/game/end_game.hpp"
 
@@ -17,13 +18,20 @@ struct Typed {
     std::string match;
     std::string name;
     std::string physics;
-    std::string encoding = "json";
+    std::string encoding{poolhall::name(protocol::Encoding::kJson)};
     std::string screenshots = ".";
     bool watch = false;
     bool practice = false;
     int width = 1280;
     int height = 720;
 };
+
+std::vector<std::string> encoding_names() {
+    std::vector<std::string> names;
+    for (const protocol::Encoding encoding : kValues<protocol::Encoding>)
+        names.emplace_back(name(encoding));
+    return names;
+}
 
 void declare(CLI::App& app, Typed& typed) {
     app.add_option("--server", typed.server, "server: ws://HOST:PORT or HOST:PORT")
@@ -40,7 +48,7 @@ void declare(CLI::App& app, Typed& typed) {
         ->type_name("FILE")
         ->excludes(match);
     app.add_option("--encoding", typed.encoding, "of the messages")
-        ->check(CLI::IsMember({"json", "cbor"}))
+        ->check(CLI::IsMember(encoding_names()))
         ->capture_default_str();
     app.add_option("--screenshots", typed.screenshots, "folder for screenshots")
         ->type_name("DIR")
@@ -59,9 +67,8 @@ EarlyExit bad(const std::string& text) {
 
 std::string default_name() {
     const char* user = std::getenv("USER");
-    std::string name = user != nullptr ? user : "";
-    return !name.empty() && protocol::is_utf8(name) && !protocol::find_name_fault(name) ? name
-                                                                                        : "Player";
+    auto name = protocol::person_name(user != nullptr ? user : "");
+    return name ? *std::move(name) : "Player";
 }
 
 std::string first_line(const std::string& text) {
@@ -74,11 +81,10 @@ Result<Options, EarlyExit> options_of(const Typed& typed) {
     options.screenshots = typed.screenshots;
     options.width = typed.width;
     options.height = typed.height;
-    if (typed.encoding == "cbor") options.encoding = protocol::Encoding::kCbor;
-    options.name = typed.name.empty() ? default_name() : typed.name;
-    if (!protocol::is_utf8(options.name)) return bad("--name: not UTF-8");
-    if (const auto fault = protocol::find_name_fault(options.name))
-        return bad("--name: " + std::string(*fault));
+    options.encoding = find<protocol::Encoding>(typed.encoding).value_or(options.encoding);
+    const auto name = protocol::person_name(typed.name.empty() ? default_name() : typed.name);
+    if (!name) return bad("--name: " + std::string(name.error().reason));
+    options.name = *name;
     if (!typed.physics.empty()) {
         const auto settings = read_physics(typed.physics, kEndGameRules);
         if (!settings) return bad("--physics: " + settings.error());

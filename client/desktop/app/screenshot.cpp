@@ -1,11 +1,14 @@
 #include "client/desktop/app/screenshot.hpp"
 
+#include "client/files/output_file.hpp"
+
 #include <SDL2/SDL_image.h>
 
 #include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <ostream>
 
 namespace poolhall::client {
 namespace {
@@ -41,6 +44,26 @@ Surface read_pixels(SDL_Renderer& renderer) {
     return read ? std::move(surface) : nullptr;
 }
 
+/// Writes to a stream, which must live as long.
+SDL_RWops* into(std::ostream& stream) {
+    SDL_RWops* const writer = SDL_AllocRW();
+    if (writer == nullptr) return nullptr;
+    writer->hidden.unknown.data1 = &stream;
+    writer->size = [](SDL_RWops*) { return Sint64{-1}; };
+    writer->seek = [](SDL_RWops*, Sint64, int) { return Sint64{-1}; };
+    writer->read = [](SDL_RWops*, void*, std::size_t, std::size_t) { return std::size_t{0}; };
+    writer->write = [](SDL_RWops* self, const void* bytes, std::size_t size, std::size_t count) {
+        auto& out = *static_cast<std::ostream*>(self->hidden.unknown.data1);
+        out.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size * count));
+        return out ? count : std::size_t{0};
+    };
+    writer->close = [](SDL_RWops* self) {
+        SDL_FreeRW(self);
+        return 0;
+    };
+    return writer;
+}
+
 }  // namespace
 
 Result<std::filesystem::path, ScreenshotError> save_screenshot(
@@ -49,15 +72,15 @@ Result<std::filesystem::path, ScreenshotError> save_screenshot(
     std::filesystem::create_directories(folder, unmade);
     const auto path = free_name(folder);
     if (!path) return ScreenshotError{"No screenshot: " + folder.string() + " is full of them"};
-    // Written beside its place first: whoever waits for the file finds it whole.
-    const std::string unfinished = path->string() + ".part";
     const Surface surface = read_pixels(renderer);
-    if (!surface || IMG_SavePNG(surface.get(), unfinished.c_str()) != 0) {
-        return ScreenshotError{"No screenshot: " + std::string(SDL_GetError())};
+    // Whoever waits for the file finds it whole.
+    files::OutputFile file(*path);
+    if (!file.fault()) {
+        if (!surface || IMG_SavePNG_RW(surface.get(), into(file.stream()), 1) != 0)
+            return ScreenshotError{"No screenshot: " + std::string(SDL_GetError())};
+        file.finish();
     }
-    std::error_code error;
-    std::filesystem::rename(unfinished, *path, error);
-    if (error) return ScreenshotError{"No screenshot: " + path->string() + ": " + error.message()};
+    if (file.fault()) return ScreenshotError{"No screenshot: " + *file.fault()};
     return *path;
 }
 

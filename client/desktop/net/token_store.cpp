@@ -1,5 +1,7 @@
 #include "client/desktop/net/token_store.hpp"
 
+#include "client/files/output_file.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
@@ -33,14 +35,6 @@ bool lock(int file, off_t byte, short type, int command) {
 std::string field(const nlohmann::json& entry, const char* name) {
     const auto found = entry.find(name);
     return found != entry.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-bool write_private(const std::filesystem::path& path, const std::string& text) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    if (file < 0) return false;
-    const bool written =
-        ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-    return ::close(file) == 0 && written;
 }
 
 }  // namespace
@@ -120,11 +114,10 @@ void TokenStore::write(const std::vector<Entry>& entries) const {
     for (const Entry& entry : entries) {
         json.push_back({{"server", entry.server}, {"code", entry.code}, {"token", entry.token}});
     }
-    const std::filesystem::path fresh = file_.string() + ".new";
-    std::error_code ignored;  // without the file the tokens last as long as the process
-    if (write_private(fresh,
-                      json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"))
-        std::filesystem::rename(fresh, file_, ignored);
+    // Without the file the tokens last as long as the process: a fault is no reason to stop.
+    files::OutputFile output(file_, files::OutputFile::Readers::kOwnerOnly);
+    output.stream() << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    output.finish();
 }
 
 bool TokenStore::lock_token(std::string_view token) const {

@@ -76,7 +76,7 @@ class TapeWriter {
 
     template <HasFieldList T>
     void write(const T& x) {
-        for_each_field(x, [this](const auto&, const auto& member) { write(member); });
+        for_each_field(x, [this](const auto&, const auto& member) { this->write(member); });
     }
 
     poolhall_reference::Tape& tape_;
@@ -146,7 +146,7 @@ class TapeReader {
 
     template <HasFieldList T>
     void read(T& x) {
-        for_each_field(x, [this](const auto&, auto& member) { read(member); });
+        for_each_field(x, [this](const auto&, auto& member) { this->read(member); });
     }
 
     const poolhall_reference::Tape& tape_;

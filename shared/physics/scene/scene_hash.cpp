@@ -14,7 +14,7 @@ class SceneHash {
     std::uint64_t value() {
         for_each_field(scene_, [this](const auto& field, const auto& member) {
             // Its name moves no ball.
-            if (field.name != "id") add(member);
+            if (field.name != "id") this->add(member);
         });
         return hash_.value();
     }
@@ -58,12 +58,13 @@ class SceneHash {
 
     template <HasFieldList T>
     void add(const T& object) {
-        for_each_field(object, [this](const auto&, const auto& member) { add(member); });
+        for_each_field(object, [this](const auto&, const auto& member) { this->add(member); });
     }
 
     void add(const Effects& effects) {
-        for_each_field(
-            effects, [this](const auto& field, const auto& effect) { add_effect(field, effect); });
+        for_each_field(effects, [this](const auto& field, const auto& effect) {
+            this->add_effect(field, effect);
+        });
     }
 
     template <HasFieldList Spec>
@@ -96,9 +97,9 @@ class SceneHash {
         sized.mass = mass_of(scene_, ball);
         for_each_field(sized, [this](const auto&, const auto& member) {
             if constexpr (requires { *member; }) {
-                add(*member);
+                this->add(*member);
             } else {
-                add(member);
+                this->add(member);
             }
         });
     }
@@ -106,7 +107,7 @@ class SceneHash {
     /// By a direction in space.
     void add(const Strike& strike) {
         for_each_field(strike, [this](const auto& field, const auto& member) {
-            add(member);
+            this->add(member);
             if (field.name == "direction") add(Real{0});
         });
     }

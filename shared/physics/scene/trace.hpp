@@ -3,6 +3,7 @@
 #include "shared/enum_names.hpp"
 #include "shared/fields.hpp"
 #include "shared/physics/motion/event_kind.hpp"
+#include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/table/ball.hpp"
 #include "shared/table/table.hpp"
@@ -22,8 +23,13 @@ struct ShotEvent {
     ShotEvent() = default;
 
     /// What happened to one ball.
-    ShotEvent(Real time, EventKind what, BallIndex ball, const BallState& was, const BallState& is)
-        : t(time), kind(what), balls{ball, {}}, before{was, {}}, after{is, {}} {}
+    ShotEvent(Real time, EventKind what, BallIndex ball, const MovingBall& was,
+              const MovingBall& is)
+        : t(time),
+          kind(what),
+          balls{ball, {}},
+          before{state_of(was), {}},
+          after{state_of(is), {}} {}
 
     Real t = 0;  ///< s since the strike
     EventKind kind = EventKind::kStrike;

@@ -7,15 +7,15 @@ namespace poolhall {
 
 extern const Solver kEulerSolver;
 
-const Solver kEulerSolver{.kind = SolverKind::kEuler,
-                          .has_ticks = true,
-                          .refusal = refusal_by_euler_steps,
-                          .run = [](std::size_t kernel, ShotRun& shot, SolverMemory& memory) {
-                              with_kernel(kernel, shot, [&]<class Kernel>(const Kernel& effects) {
-                                  SteppingSolver<Kernel, Scheme::kEuler>(
-                                      effects, shot, memory.as<SteppingMemory>())
-                                      .solve();
-                              });
-                          }};
+const Solver kEulerSolver{
+    .kind = SolverKind::kEuler,
+    .has_ticks = true,
+    .refusal = refusal_by_euler_steps,
+    .run = [](std::size_t kernel, ShotRun& shot, SolverMemory& memory) {
+        auto& own = memory.as<SteppingMemory>();
+        with_kernel(kernel, shot, [&]<class Kernel>(const Kernel& effects) {
+            SteppingSolver<Kernel, Scheme::kEuler>(effects, shot, own).solve();
+        });
+    }};
 
 }  // namespace poolhall

@@ -8,14 +8,14 @@ namespace poolhall {
 
 extern const Solver kEventSolver;
 
-const Solver kEventSolver{
-    .kind = SolverKind::kEvent,
-    .has_ticks = false,
-    .refusal = refusal_by_closed_form,
-    .run = [](std::size_t kernel, ShotRun& shot, SolverMemory& memory) {
-        with_kernel(kernel, shot, [&]<class Kernel>(const Kernel& effects) {
-            EventSolver<Kernel>(effects, shot, memory.as<EventMemory>()).solve();
-        });
-    }};
+const Solver kEventSolver{.kind = SolverKind::kEvent,
+                          .has_ticks = false,
+                          .refusal = refusal_by_closed_form,
+                          .run = [](std::size_t kernel, ShotRun& shot, SolverMemory& memory) {
+                              auto& own = memory.as<EventMemory>();
+                              with_kernel(kernel, shot, [&]<class Kernel>(const Kernel& effects) {
+                                  EventSolver<Kernel>(effects, shot, own).solve();
+                              });
+                          }};
 
 }  // namespace poolhall

@@ -9,7 +9,6 @@
 #include "shared/physics/solvers/ticks.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 namespace poolhall {
@@ -48,7 +47,7 @@ class ExactArcSolver {
 
   private:
     /// One tick from `begin` to `end`, in s.
-    std::optional<Outcome> tick(Real begin, Real end) {
+    Outcome tick(Real begin, Real end) {
         const Real dt = end - begin;
         Real passed = 0;
         chords_.begin_tick(begin, end);
@@ -65,7 +64,7 @@ class ExactArcSolver {
                 arrive(end);
                 search_.claim_boxes(dt);
                 run_.sample_at(end);
-                return std::nullopt;
+                return kGoesOn;
             }
             advance(next);
             passed += next;

@@ -44,6 +44,8 @@ class InstantSearch {
         const Vec2 half{table_.length / 2, table_.width / 2};
         memory_.boxes.reset(balls_.size(), {-half.x, half.x, -half.y, half.y}, work_.many_balls);
         memory_.next.resize(balls_.size());
+        memory_.moving.reset(balls_.size());
+        memory_.loose.reset(balls_.size());
         memory_.plans.clear();
         for (const MovingBall& ball : balls_)
             memory_.plans.push_back({clear_area(ball.radius), kMostTicks});

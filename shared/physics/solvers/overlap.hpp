@@ -34,7 +34,7 @@ class OverlapSolver {
   private:
     static constexpr int kMaxReflections = 10000;
 
-    std::optional<Outcome> tick(Real dt, Real end) {
+    Outcome tick(Real dt, Real end) {
         const std::size_t first_event = run_.event_count();
         for (MovingBall& ball : run_.balls())
             ball.r = ball.r + dt * ball.v;
@@ -48,7 +48,7 @@ class OverlapSolver {
         kick_all(dt, end);
         run_.sort_events_from(first_event);
         run_.sample_at(end);
-        return std::nullopt;
+        return kGoesOn;
     }
 
     void separate_pairs(Real dt, Real end) {

@@ -12,10 +12,9 @@ const Solver kSemiImplicitSolver{
     .has_ticks = true,
     .refusal = refusal_by_euler_steps,
     .run = [](std::size_t kernel, ShotRun& shot, SolverMemory& memory) {
+        auto& own = memory.as<SteppingMemory>();
         with_kernel(kernel, shot, [&]<class Kernel>(const Kernel& effects) {
-            SteppingSolver<Kernel, Scheme::kSemiImplicit>(effects, shot,
-                                                          memory.as<SteppingMemory>())
-                .solve();
+            SteppingSolver<Kernel, Scheme::kSemiImplicit>(effects, shot, own).solve();
         });
     }};
 

@@ -65,8 +65,7 @@ bool ShotRun::any_moves() const {
 }
 
 ShotEvent& ShotRun::add_event(Real t, EventKind kind, std::size_t ball, const MovingBall& before) {
-    return trace_.events.emplace_back(t, kind, index_of(ball), state_of(before),
-                                      state_of(balls()[ball]));
+    return trace_.events.emplace_back(t, kind, index_of(ball), before, balls()[ball]);
 }
 
 void ShotRun::record(Real t, EventKind kind, std::size_t ball, const MovingBall& before) {

@@ -8,7 +8,6 @@
 #include "shared/physics/solvers/ticks.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 namespace poolhall {
@@ -64,7 +63,7 @@ class SteppingSolver {
 
   private:
     /// One tick from `begin` to `end`, in s.
-    std::optional<Outcome> tick(Real begin, Real end) {
+    Outcome tick(Real begin, Real end) {
         const Real dt = end - begin;
         Real passed = 0;
         if constexpr (kScheme == Scheme::kSemiImplicit) kick_all(dt, begin);
@@ -81,7 +80,7 @@ class SteppingSolver {
                 if constexpr (kScheme == Scheme::kEuler) kick_all(dt, end);
                 search_.claim_boxes(dt);
                 run_.sample_at(end);
-                return std::nullopt;
+                return kGoesOn;
             }
             advance(next);
             passed += next;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 
 namespace poolhall {
 
@@ -12,8 +11,11 @@ namespace poolhall {
 /// pool.
 inline constexpr int kMaxContactsPerTick = 10000;
 
+/// What a tick answers where it does not end the shot, which goes on towards rest.
+inline constexpr Outcome kGoesOn = Outcome::kRest;
+
 /// Runs `tick(begin, end)` (s) at the scene's rate as long as `any_moves()` or until a limit is
-/// reached. A tick answers how the shot ends with it, or nothing where it goes on. `at_end()` may
+/// reached. A tick answers how the shot ends with it, or kGoesOn. `at_end()` may
 /// then bring the balls up to date. Times are k / hz, not a sum, so that rates agree on the
 /// instants they share.
 template <class AnyMoves, class Tick, class AtEnd>
@@ -23,8 +25,8 @@ void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick, AtEnd at_end) {
     std::uint64_t ticks = 0;
     Real t = 0;
     run.sample_at(0);
-    std::optional<Outcome> outcome;
-    while (!outcome && any_moves()) {
+    Outcome outcome = kGoesOn;
+    while (outcome == kGoesOn && any_moves()) {
         if (run.event_limit_reached()) {
             outcome = Outcome::kEventLimit;
         } else if (t >= limit) {
@@ -37,7 +39,7 @@ void run_ticks(ShotRun& run, AnyMoves any_moves, Tick tick, AtEnd at_end) {
         }
     }
     at_end();
-    run.finish(outcome.value_or(Outcome::kRest), t, ticks);
+    run.finish(outcome, t, ticks);
 }
 
 }  // namespace poolhall

@@ -106,6 +106,16 @@ TEST_F(TokenStoreTest, FileIsForItsOwnerOnly) {
     EXPECT_EQ(info.st_mode & 0777U, 0700U);
 }
 
+TEST_F(TokenStoreTest, FileMayBeALinkAndStaysOne) {
+    std::filesystem::create_directories(state_ / "elsewhere");
+    std::filesystem::create_symlink("elsewhere/tokens.json", state_ / "tokens.json");
+    for (const char* token : {"aa", "bb"}) {
+        TokenStore(state_).keep("h:1", "BCDFGH", token);
+        EXPECT_EQ(TokenStore(state_).claim("h:1", "BCDFGH"), token);
+        EXPECT_TRUE(std::filesystem::is_symlink(state_ / "tokens.json"));
+    }
+}
+
 TEST_F(TokenStoreTest, DamagedFileIsStartedAnew) {
     for (const char* text : {"", "{", "[1, null, {\"token\": 5}]", "{\"a\": 1}", "\xff\xfe"}) {
         std::filesystem::create_directories(state_);

@@ -20,6 +20,8 @@ TEST(RulingText, EveryVerdictHasASentenceForTheShooterAndForTheOthers) {
     EXPECT_EQ(text(Verdict::kTimedOut, "You"), "Your time is up: the turn passes");
     EXPECT_EQ(text(Verdict::kTimedOut, "Anna"), "Anna's time is up: the turn passes");
     EXPECT_EQ(text(Verdict::kTurnPasses, "Anna"), "The turn passes");
+    for (const Verdict verdict : kValues<Verdict>)
+        EXPECT_FALSE(text(verdict, "Anna").empty()) << name(verdict);
 }
 
 TEST(RulingText, GameThatIsNotKnownHereIsWonInGeneralWords) {

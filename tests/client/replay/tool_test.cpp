@@ -1,5 +1,7 @@
 #include "protocol/replay/line.hpp"
 #include "protocol/replay/record_text.hpp"
+#include "shared/game/end_game.hpp"
+#include "shared/physics/edition.hpp"
 #include "tests/server/store/store_fixture.hpp"
 #include "tests/shared/game/pool_settings.hpp"
 
@@ -14,7 +16,7 @@ namespace poolhall::client {
 namespace {
 
 using namespace poolhall::test;
-using protocol::ShotRecord;
+using protocol::MoveRecord;
 
 /// What a run of the program gave; `text` is both its outputs, as a terminal shows them.
 struct ProgramRun {
@@ -62,9 +64,9 @@ class ReplayTool : public testing::Test {
         std::uint64_t n = 0;
         for (auto& record : records) {
             ++n;
-            auto* shot = std::get_if<ShotRecord>(&record);
-            if (shot == nullptr || shot->shot != 3) continue;
-            shot->final_hash ^= 1U;
+            auto* move = std::get_if<MoveRecord>(&record);
+            if (move == nullptr || !move->shot || move->shot->shot != 3) continue;
+            move->shot->trace ^= 1U;
             const std::string body = protocol::to_text(n, record);
             SQLite::Database(database(), SQLite::OPEN_READWRITE)
                 .exec("UPDATE records SET body = '" + body + "', sum = '" +
@@ -83,6 +85,8 @@ TEST_F(ReplayTool, ListsReplays) {
     EXPECT_EQ(list.status, 0);
     EXPECT_TRUE(list.says("m1")) << list.text;
     EXPECT_TRUE(list.says("Ann / Bob")) << list.text;
+    EXPECT_TRUE(list.says(" shots  games    score ")) << list.text;
+    EXPECT_TRUE(list.says("     6      2      1:1  2023-11-14 ")) << list.text;
 }
 
 TEST_F(ReplayTool, ShowsAReplay) {
@@ -94,10 +98,109 @@ TEST_F(ReplayTool, ShowsAReplay) {
     EXPECT_TRUE(show.says("end: both players left"));
 }
 
+TEST_F(ReplayTool, ShowsEveryMoveInWords) {
+    MatchSettings settings;
+    settings.shot_clock_s = 30;
+    settings.race_to = 3;
+    settings.breaks = BreakOrder::kWinner;
+    Match match({&kEndGameRules, Seat{0}, settings});
+    protocol::MatchRecord first = match_record("m3");
+    first.settings = settings;
+    std::vector<protocol::ReplayRecord> records{first, protocol::SeatRecord{Seat{0}, "Ann"}};
+    const auto play = [&](Seat seat, const Move& move) {
+        MatchStep step = match.play(seat, move, 100'000);
+        records.emplace_back(protocol::move_record(step));
+        match.commit(std::move(step), 0);
+    };
+    play(Seat{0}, Place{{end_game::kBaseLineX, 0.1}});
+    play(Seat{0}, TimeOut{});
+    play(Seat{1}, Shoot{Stroke{{-1, 0.02}, {}}});
+    play(Seat{1}, Concede{});
+    play(Seat{1}, Agree{});
+    play(Seat{0}, Agree{});
+    write_file(path("words.jsonl"), replay_file(records));
+    const ProgramRun show = run("show --file " + path("words.jsonl"));
+    EXPECT_EQ(show.status, 0) << show.text;
+    for (const std::string part :
+         {"settings: race to 3, the winner breaks, 30 s a shot\ngame 1, first shot by seat 0\n",
+          "     -     0  Ann             places the cue ball at -0.3875,0.1000 m ",
+          "has run out of time ", " timed_out ", "     1     1  seat 1          -0.9998,0.0200 ",
+          "concedes the game ", " conceded ", "      won by Ann\n", "agrees to a rematch ",
+          "game 2, first shot by seat 0\n"}) {
+        EXPECT_TRUE(show.says(part)) << part << '\n' << show.text;
+    }
+    EXPECT_TRUE(run("verify --file " + path("words.jsonl")).says("1 shot, all as recorded"));
+}
+
+TEST_F(ReplayTool, ShowsHowTheCueWasHeld) {
+    auto records = played_match("m3", 1);
+    auto& stroke = std::get<Shoot>(std::get<MoveRecord>(records.at(4)).move).strike;
+    stroke.offset = {-0.3, 0.25};
+    stroke.elevation = 0.1;
+    write_file(path("cue.jsonl"), replay_file(records));
+    const ProgramRun show = run("show --file " + path("cue.jsonl"));
+    EXPECT_TRUE(show.says("      offset 0.30 left, 0.25 up; elevation 0.100\n")) << show.text;
+}
+
+TEST_F(ReplayTool, AShotOfAnotherEditionIsNeitherDamagedNorDiverged) {
+    auto records = played_match("m3", kShots);
+    for (auto& record : records) {
+        auto* move = std::get_if<MoveRecord>(&record);
+        if (move == nullptr || !move->shot) continue;
+        move->shot->edition = move->shot->shot % 2 == 0 ? 0 : kPhysicsEdition + 1;
+        move->shot->kernel = "of_old";
+        if (move->shot->shot == kShots) move->shot->trace ^= 1U;
+    }
+    write_file(path("other.jsonl"), replay_file(records));
+    const ProgramRun verify = run("verify --file " + path("other.jsonl"));
+    EXPECT_EQ(verify.status, 0) << verify.text;
+    EXPECT_TRUE(verify.says(", there is no kernel of_old here: simulated by drag_rails_pockets\n"));
+    EXPECT_TRUE(verify.says("played by edition 0 of the physics: same final states"))
+        << verify.text;
+    EXPECT_TRUE(verify.says("6 shots, 1 with another result by another edition, none diverged\n"))
+        << verify.text;
+}
+
+TEST_F(ReplayTool, AFileOfALaterVersionIsNotCalledDamaged) {
+    std::string record = protocol::to_text(1, match_record("m3"));
+    record.replace(record.find("replay/2"), 8, "replay/3");
+    record.insert(record.size() - 1, R"(,"weather":"fine")");
+    write_file(path("later.jsonl"), protocol::to_line({protocol::checksum_text(record), record}));
+    const ProgramRun show = run("show --file " + path("later.jsonl"));
+    EXPECT_EQ(show.status, 2);
+    EXPECT_TRUE(
+        show.says("later.jsonl cannot be read: line 1, byte 0: /format: the version "
+                  "\"poolhall.replay/3\" is none that this program knows"))
+        << show.text;
+}
+
+TEST_F(ReplayTool, ShowsVerifiesAndExportsWhatVersion1Wrote) {
+    const std::filesystem::path samples = POOLHALL_SOURCE_DIR "/tests/golden/replay_v1";
+    std::filesystem::create_directory(path("old"));
+    std::filesystem::copy_file(samples / "poolhall.sqlite", path("old/poolhall.sqlite"));
+    for (const bool migrated : {false, true}) {
+        if (migrated) open_store(path("old")).reset();
+        EXPECT_EQ(run("verify --all --data " + path("old")).text,
+                  read_file(samples / "verify.txt"));
+        for (const auto& entry : std::filesystem::directory_iterator(samples)) {
+            if (entry.path().extension() != ".jsonl") continue;
+            const std::string file = read_file(entry.path());
+            const std::size_t at = file.find(R"("match":")") + 9;
+            const std::string id = file.substr(at, file.find('"', at) - at);
+            EXPECT_EQ(run("export " + id + " - --data " + path("old")).text, file);
+            EXPECT_EQ(run("show " + id + " --data " + path("old")).text,
+                      read_file(samples / "show" / (entry.path().stem().string() + ".txt")));
+        }
+        const ProgramRun list = run("list --data " + path("old"));
+        EXPECT_TRUE(list.says("e4f624b65a67c363         end_game       5      3      2:1  "))
+            << list.text;
+    }
+}
+
 TEST_F(ReplayTool, ShowsTheRecordsAsJson) {
     const ProgramRun show = run("show m1 --json");
     EXPECT_EQ(show.status, 0);
-    EXPECT_TRUE(show.text.starts_with(R"({"n":1,"kind":"match","format":"poolhall.replay/1",)"))
+    EXPECT_TRUE(show.text.starts_with(R"({"n":1,"kind":"match","format":"poolhall.replay/2",)"))
         << show.text;
 }
 
@@ -118,7 +221,7 @@ TEST_F(ReplayTool, ExportsWhatTheStoreHolds) {
 }
 
 TEST_F(ReplayTool, ShowsVerifiesAndExportsAMatchWithSettings) {
-    const auto records = played_match("m2", kShots, test::pool_settings());
+    const auto records = played_match("m2", kShots, {test::pool_settings()});
     store_match(*open_store(data()), "m2", "JKLMNP", records);
     const ProgramRun show = run("show m2");
     EXPECT_TRUE(show.says("by poolhall 0.1.0, with physics of its own\n")) << show.text;
@@ -130,15 +233,13 @@ TEST_F(ReplayTool, ShowsVerifiesAndExportsAMatchWithSettings) {
 
 TEST_F(ReplayTool, WorksWhileAServerWrites) {
     const auto store = open_store(data());
-    ASSERT_EQ(
-        done(*store, server::CreateMatchJob{"JKLMNP", {"m2", "end_game", "poolhall 0.1.0", 0}}),
-        "ok");
+    ASSERT_EQ(done(*store, server::CreateMatchJob{"JKLMNP", match_record("m2")}), "ok");
     EXPECT_TRUE(run("list").says("m2"));
     const ProgramRun verify = run("verify --all");
     EXPECT_EQ(verify.status, 0);
     EXPECT_TRUE(verify.says("replay m2: 0 shots, all as recorded; the match has no end record yet"))
         << verify.text;
-    EXPECT_EQ(done(*store, server::AppendGameJob{"m2", {1, Seat{0}}}), "ok");
+    EXPECT_EQ(done(*store, server::AppendMoveJob{"m2", some_move(0)}), "ok");
 }
 
 TEST_F(ReplayTool, NamesTheShotThatWasForgedAndGoesOn) {
@@ -150,6 +251,51 @@ TEST_F(ReplayTool, NamesTheShotThatWasForgedAndGoesOn) {
     EXPECT_TRUE(verify.says("replay m1: 6 shots, 1 diverged, the first is shot 3\n"))
         << verify.text;
     EXPECT_EQ(run("verify --all").status, 1);
+}
+
+TEST_F(ReplayTool, ReadsStandardInputWhereTheFileIsADash) {
+    ASSERT_EQ(run("export m1 " + path("m1.jsonl")).status, 0);
+    for (const std::string command : {"show", "show --json", "verify"}) {
+        const ProgramRun piped = run(command + " --file - < " + path("m1.jsonl"));
+        EXPECT_EQ(piped.status, 0) << piped.text;
+        if (command == "verify") {
+            EXPECT_TRUE(piped.says("standard input: 6 shots, all as recorded")) << piped.text;
+        } else {
+            EXPECT_EQ(piped.text, run(command + " m1").text);
+        }
+    }
+    const ProgramRun empty = run("verify --file - < /dev/null");
+    EXPECT_EQ(empty.status, 2);
+    EXPECT_TRUE(empty.says("standard input is damaged: line 1, byte 0: there is no record"))
+        << empty.text;
+}
+
+TEST_F(ReplayTool, ReadsAFileWithTheLineEndsOfOtherSystems) {
+    const std::string file = replay_file(played_match("m1", kShots));
+    std::string other;
+    for (const char byte : file)
+        other += byte == '\n' ? std::string("\r\n") : std::string(1, byte);
+    write_file(path("crlf.jsonl"), other);
+    EXPECT_EQ(run("verify --file " + path("crlf.jsonl")).status, 0);
+    EXPECT_EQ(run("show --file " + path("crlf.jsonl")).text, run("show m1").text);
+}
+
+TEST_F(ReplayTool, LeavesNothingBesideTheStoreThatItReads) {
+    for (const std::string command : {"list", "show m1", "verify --all", "export m1 -"})
+        EXPECT_EQ(run(command).status, 0);
+    EXPECT_FALSE(std::filesystem::exists(database() + "-wal"));
+    EXPECT_FALSE(std::filesystem::exists(database() + "-shm"));
+}
+
+TEST_F(ReplayTool, ExportsThroughALinkAndKeepsTheModeOfWhatWasThere) {
+    write_file(path("private.jsonl"), "old");
+    std::filesystem::permissions(path("private.jsonl"), static_cast<std::filesystem::perms>(0600));
+    std::filesystem::create_symlink("private.jsonl", path("link.jsonl"));
+    ASSERT_EQ(run("export m1 " + path("link.jsonl")).status, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(path("link.jsonl")));
+    EXPECT_EQ(read_file(path("private.jsonl")), replay_file(played_match("m1", kShots)));
+    EXPECT_EQ(std::filesystem::status(path("private.jsonl")).permissions(),
+              static_cast<std::filesystem::perms>(0600));
 }
 
 TEST_F(ReplayTool, ReadsADamagedFileUpToTheDamage) {

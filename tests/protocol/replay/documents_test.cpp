@@ -1,6 +1,11 @@
 #include "protocol/archive/database.hpp"
 #include "protocol/replay/line.hpp"
+#include "protocol/replay/log_follower.hpp"
 #include "protocol/replay/reader.hpp"
+#include "protocol/replay/record_fields.hpp"
+#include "shared/game/end_game.hpp"
+#include "tests/protocol/replay/followed.hpp"
+#include "tests/protocol/replay/played_match.hpp"
 
 #include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Database.h>
@@ -10,6 +15,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 
 // REPLAY_FORMAT.md says what the code does.
@@ -44,16 +50,78 @@ TEST(ReplayFormatDocument, EveryChecksumInItsTableIsRight) {
     EXPECT_NE(text.find("| (none) | `" + checksum_text("") + "` |"), std::string::npos);
 }
 
-TEST(ReplayFormatDocument, ItsExampleIsAWholeReplay) {
-    std::istringstream file(block("jsonl"));
+/// The match that the page shows, as it is logged.
+std::string documented_match() {
+    MatchSettings settings;
+    settings.shot_clock_s = 30;
+    MatchRecord first = test::match_record("7c9f0a2e");
+    first.settings = settings;
+    std::vector<ReplayRecord> records{first, SeatRecord{Seat{0}, "Ann"},
+                                      SeatRecord{Seat{1}, "Bob"}};
+    std::int64_t now = first.created_ms;
+    Match match({&kEndGameRules, Seat{0}, settings});
+    match.start_clock(now);
+    const auto play = [&](Seat seat, const Move& move, std::int64_t after_ms) {
+        now += after_ms;
+        MatchStep step = match.play(seat, move, now);
+        records.emplace_back(move_record(step));
+        match.commit(std::move(step), now);
+    };
+    play(Seat{0}, Place{{end_game::kBaseLineX, 0.01}}, 5'000);
+    play(Seat{0}, Shoot{Stroke{{0.7798546875, -0.05682728125000001}, {}}}, 5'000);
+    play(Seat{0}, Agree{}, 10'000);
+    play(Seat{1}, Agree{}, 1'000);
+    play(Seat{1}, TimeOut{}, 30'000);
+    play(Seat{0}, Concede{}, 4'000);
+    records.emplace_back(EndRecord{"both players left", now + 5'000});
+    return test::replay_file(records);
+}
+
+/// The kinds of the records of a whole file, which must be one that deviates in nothing.
+std::set<std::string> kinds_of(const std::string& text) {
+    std::istringstream file(text);
     ReplayReader reader(file);
-    std::size_t kinds = 0;
-    while (const auto record = reader.next())
-        kinds |= std::size_t{1} << record->record.index();
+    LogFollower follower;
+    std::set<std::string> kinds;
+    while (const auto record = reader.next()) {
+        kinds.emplace(kind_of(record->record));
+        const Followed followed = follower.follow(record->record);
+        EXPECT_EQ(test::first(followed.found.deviations), "nothing") << followed.subject;
+    }
     EXPECT_FALSE(reader.damage()) << reader.damage()->text();
     EXPECT_TRUE(reader.ended());
-    EXPECT_EQ(kinds, (std::size_t{1} << std::variant_size_v<ReplayRecord>)-1)
-        << "it shows every kind";
+    return kinds;
+}
+
+TEST(ReplayFormatDocument, ItsExampleIsAWholeReplayWithEveryKind) {
+    EXPECT_EQ(block("jsonl"), documented_match());
+    EXPECT_EQ(kinds_of(block("jsonl")), (std::set<std::string>{"match", "seat", "move", "end"}));
+}
+
+TEST(ReplayFormatDocument, ItsExampleOfVersion1IsAWholeReplayWithEveryKind) {
+    EXPECT_EQ(kinds_of(block("jsonl-1")),
+              (std::set<std::string>{"match", "seat", "game", "shot", "end"}));
+}
+
+/// Whether the page has the name of every field.
+template <class... Records>
+void expect_fields() {
+    const std::string text = document();
+    const auto expect = [&](std::string_view name) {
+        EXPECT_NE(text.find("`" + std::string(name) + "`"), std::string::npos) << name;
+    };
+    const auto expect_all = [&](const auto& fields) {
+        std::apply([&](const auto&... field) { (expect(field.name), ...); }, fields);
+    };
+    (expect_all(wire::kFields<Records>), ...);
+}
+
+TEST(ReplayFormatDocument, ItNamesEveryFieldAndKind) {
+    expect_fields<MatchRecord, SeatRecord, MoveRecord, ShotEvidence, EndRecord, GameRecord,
+                  ShotRecord>();
+    for (const std::string_view kind : {MatchRecord::kKind, SeatRecord::kKind, MoveRecord::kKind,
+                                        EndRecord::kKind, GameRecord::kKind, ShotRecord::kKind})
+        EXPECT_NE(document().find("**`" + std::string(kind) + "`**"), std::string::npos) << kind;
 }
 
 TEST(ReplayFormatDocument, ItsTablesAreThoseOfTheStore) {

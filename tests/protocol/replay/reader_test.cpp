@@ -76,6 +76,24 @@ TEST(ReplayReader, GivesTheTextAsItStands) {
     EXPECT_EQ(reader.text(), "");
 }
 
+TEST(ReplayReader, LinesMayEndWithCarriageReturnAndLineFeed) {
+    std::string file;
+    const auto records = test::played_match("m1", kShots);
+    for (const char byte : test::replay_file(records))
+        file += byte == '\n' ? std::string("\r\n") : std::string(1, byte);
+    const Reading reading = read(file);
+    EXPECT_EQ(reading.records, records.size());
+    EXPECT_TRUE(reading.ended);
+    EXPECT_FALSE(reading.damage) << reading.damage->text();
+
+    std::istringstream input(file);
+    ReplayReader reader(input);
+    ASSERT_TRUE(reader.next());
+    EXPECT_FALSE(reader.text().ends_with('\r'));
+    EXPECT_EQ(read(file.substr(0, file.size() - 1)).damage->kind, DamageKind::kTornLine);
+    EXPECT_EQ(read("\r" + file).damage->kind, DamageKind::kNotARecord);
+}
+
 TEST(ReplayReader, ATruncatedFileIsReadUpToTheCut) {
     const std::string file = test::replay_file(test::played_match("m1", kShots));
     for (std::size_t size = 0; size < file.size(); ++size) {
@@ -133,7 +151,7 @@ TEST(ReplayReader, ARepeatedOrSwappedLineIsNoticed) {
 }
 
 TEST(ReplayReader, AMatchBeginsOnceAndEndsOnce) {
-    const MatchRecord match{"m1", "end_game", "poolhall 0.1.0", 0};
+    const MatchRecord match = test::match_record("m1");
     const EndRecord end{"over", 1};
     const SeatRecord seat{Seat{0}, "Ann"};
     EXPECT_EQ(read(joined(lines_of({seat}))).damage->kind, DamageKind::kOutOfPlace);
@@ -143,12 +161,32 @@ TEST(ReplayReader, AMatchBeginsOnceAndEndsOnce) {
 }
 
 TEST(ReplayReader, SaysWhichFieldIsBad) {
-    std::string record = to_text(1, MatchRecord{"m1", "end_game", "poolhall 0.1.0", 0});
+    std::string record = to_text(1, test::match_record("m1"));
     record.replace(record.find("m1"), 2, "..");
     const Reading reading = read(to_line({checksum_text(record), record}));
     ASSERT_TRUE(reading.damage);
     EXPECT_EQ(reading.damage->kind, DamageKind::kBadField);
     EXPECT_EQ(reading.damage->text(), "line 1, byte 0: /match: must be 1 to 64 of A-Z a-z 0-9 _ -");
+}
+
+TEST(ReplayReader, SaysThatAVersionIsUnknownBeforeAnythingElse) {
+    std::string record = to_text(1, test::match_record("m1"));
+    record.replace(record.find("poolhall.replay/2"), 17, "poolhall.replay/3");
+    record.replace(record.find("\"game\""), 6, "\"rules\"");
+    const Reading reading = read(to_line({checksum_text(record), record}));
+    ASSERT_TRUE(reading.damage);
+    EXPECT_EQ(reading.damage->kind, DamageKind::kUnknownVersion);
+    EXPECT_EQ(
+        reading.damage->text(),
+        "line 1, byte 0: /format: the version \"poolhall.replay/3\" is none that this program "
+        "knows: it reads \"poolhall.replay/1\" and \"poolhall.replay/2\"");
+}
+
+TEST(ReplayReader, ReadsMovesThatGoOnWithAMatchOfVersion1) {
+    auto records = test::played_match_v1("m1", kShots);
+    records.pop_back();
+    records.emplace_back(test::some_move(0));
+    EXPECT_EQ(read(test::replay_file(records)).records, records.size());
 }
 
 TEST(ReplayReader, SaysWhenARecordIsNoJson) {

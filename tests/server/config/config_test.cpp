@@ -103,9 +103,9 @@ TEST_F(Config, HelpListsEverySetting) {
     const auto config = load({"--help"});
     ASSERT_FALSE(config.ok());
     EXPECT_EQ(config.error().status, 0);
-    for (const char* name :
-         {"--config", "--listen", "--data", "--threads", "--max-matches", "--max-spectators",
-          "--max-sessions", "--idle-timeout", "--log-level", "--allow-origin", "--version"})
+    for (const char* name : {"--config", "--listen", "--data", "--threads", "--max-matches",
+                             "--max-spectators", "--max-sessions", "--max-per-address",
+                             "--idle-timeout", "--log-level", "--allow-origin", "--version"})
         EXPECT_NE(config.error().text.find(name), std::string::npos) << name;
 }
 

@@ -63,6 +63,20 @@ TEST(Handshake, PageOfAnotherHostMayNotConnect) {
     }
 }
 
+TEST(Handshake, PageMayConnectThroughAProxyThatNamesTheDefaultPort) {
+    Handshake handshake = plain();
+    handshake.host = "pool.example:443";
+    handshake.origin = "https://pool.example";
+    EXPECT_EQ(status(handshake), 101);
+    handshake.host = "pool.example:80";
+    EXPECT_EQ(status(handshake), 101);
+    handshake.host = "pool.example";
+    handshake.origin = "https://pool.example:443";
+    EXPECT_EQ(status(handshake), 101);
+    handshake.origin = "https://pool.example:444";
+    EXPECT_EQ(status(handshake), 403);
+}
+
 TEST(Handshake, AllowedOriginsReplaceTheRule) {
     Handshake handshake = plain();
     handshake.origin = "https://club.example";

@@ -78,6 +78,76 @@ TEST(Http, RequestsThatAreNoneAreRefused) {
     EXPECT_EQ(http_get(server.address(), "/healthz").status, 200);
 }
 
+/// The status line's beginning that answers the bytes.
+std::string status_of(const RunningServer& server, const std::string& bytes) {
+    return exchange(server.address(), bytes).substr(0, 12);
+}
+
+TEST(Http, RequestsAreReadAsRfc9112HasThem) {
+    RunningServer server;
+    const std::string good = "HTTP/1.1 200";
+    const std::string close = "Connection: close\r\n\r\n";
+    for (const char* request :
+         {"GET /healthz HTTP/1.1\r\nHost: a\r\n", "\r\nGET /healthz HTTP/1.1\r\nHost: a\r\n",
+          "\r\n\r\n\r\nGET /healthz HTTP/1.1\r\nHost:\r\n",
+          "GET http://elsewhere/healthz HTTP/1.1\r\nHost: a\r\n",
+          "GET HTTP://a:80/healthz?x HTTP/1.1\r\nhost: b\r\n",
+          "GET /healthz HTTP/1.1\r\nHost: [::1]:80\r\nX: folded\r\n  value\r\n"})
+        EXPECT_EQ(status_of(server, request + close), good) << request;
+    EXPECT_EQ(status_of(server, "GET /healthz HTTP/1.0\r\n\r\n"), "HTTP/1.0 200");
+    for (const char* request :
+         {"GET /healthz HTTP/1.1\r\n", "GET /healthz HTTP/1.1\r\nHost: a\r\nHost: a\r\n",
+          "GET /healthz HTTP/1.1\r\nHost: a b\r\n", "GET /healthz HTTP/1.1\r\nHost: a@b\r\n",
+          "GET /healthz HTTP/1.1\r\nHost: a:b\r\n", "GET http:///x HTTP/1.1\r\nHost: a\r\n",
+          "GET /healthz HTTP/1.1\r\nHost: a\r\n b\r\n", "GET /healthz HTTP/1.1\r\nHost : a\r\n"})
+        EXPECT_EQ(status_of(server, request + close), "HTTP/1.1 400") << request;
+    EXPECT_EQ(status_of(server, "GET http://a/nowhere HTTP/1.1\r\nHost: a\r\n" + close),
+              "HTTP/1.1 404");
+}
+
+TEST(Http, EmptyLinesMayStandBetweenRequestsOfOneConnection) {
+    RunningServer server;
+    const std::string get = "GET /healthz HTTP/1.1\r\nHost: a\r\n";
+    const std::string answers = exchange(server.address(), get + "\r\n\r\n" + get + "\r\n\r\n\r\n" +
+                                                               get + "Connection: close\r\n\r\n");
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = answers.find("HTTP/1.1 200", at)) != std::string::npos; ++at)
+        ++count;
+    EXPECT_EQ(count, 3U);
+}
+
+TEST(Http, SilentConnectionsOfOneAddressKeepNobodyOut) {
+    ServerConfig config;
+    config.max_sessions = 4;
+    for (const std::uint32_t per_address : {0U, 10U, 1000U}) {
+        config.max_per_address = per_address;
+        RunningServer server(config);
+        const SilentConnections silent(server.address(), 200);
+        const auto begin = std::chrono::steady_clock::now();
+        EXPECT_EQ(http_get(server.address(), "/healthz").status, 200);
+        EXPECT_EQ(http_get(server.address(), "/api/matches").status, 200);
+        Client player(server.json());
+        player.expect<protocol::Welcome>();
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+        const std::string metrics = http_get(server.address(), "/metrics").body;
+        EXPECT_EQ(metrics.find("\npoolhall_connections_evicted_total 0\n"), std::string::npos);
+        const std::size_t bound = per_address == 10U ? 10 : 68;
+        EXPECT_LE(server.server().counters().connections.load(), static_cast<std::int64_t>(bound));
+    }
+}
+
+TEST(Http, HealthIsAnsweredWhileSessionsHaveAllThatTheirAddressMayHave) {
+    ServerConfig config;
+    config.max_per_address = 2;
+    RunningServer server(config);
+    const Table table(server);
+    EXPECT_EQ(http_get(server.address(), "/healthz").status, 200);
+    EXPECT_EQ(http_get(server.address(), "/readyz").status, 200);
+    EXPECT_EQ(http_get(server.address(), "/metrics").status, 200);
+    EXPECT_EQ(http_get(server.address(), "/api/matches").status, 503);
+    EXPECT_EQ(refused_handshake(server.json()).status, 503);
+}
+
 TEST(Http, MetricsCountShots) {
     RunningServer server;
     Table table(server);

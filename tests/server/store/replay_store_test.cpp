@@ -11,16 +11,12 @@ namespace {
 
 using namespace poolhall::test;
 using protocol::EndRecord;
-using protocol::GameRecord;
 using protocol::MatchRecord;
+using protocol::MoveRecord;
 using protocol::ReplayRecord;
 using protocol::SeatRecord;
 
 constexpr std::uint32_t kShots = 5;
-
-MatchRecord match_record(const std::string& id) {
-    return {id, "end_game", "poolhall 0.1.0", 1000};
-}
 
 TEST(ReplayStore, ExportsByteForByteWhatWasStored) {
     const TemporaryFolder folder;
@@ -61,7 +57,7 @@ TEST(ReplayStore, JobsThatDoNotFitAreRefusedAndLeaveNothing) {
               "match m2 or its code exists already");
     EXPECT_EQ(done(*store, CreateMatchJob{"ZZZZZZ", match_record("../m")}),
               "a match id must be 1 to 64 letters, digits, _ or -");
-    EXPECT_EQ(done(*store, AppendGameJob{"m2", {1, Seat{0}}}), "there is no open match m2");
+    EXPECT_EQ(done(*store, AppendMoveJob{"m2", some_move(1)}), "there is no open match m2");
     EXPECT_EQ(exported(folder.path(), "m1"), before);
     EXPECT_EQ(exported(folder.path(), "m2"), "unknown");
 }
@@ -71,7 +67,7 @@ TEST(ReplayStore, AClosedMatchTakesNothingMoreAndFreesItsCode) {
     const auto store = open_store(folder.path());
     ASSERT_EQ(done(*store, CreateMatchJob{"BCDFGH", match_record("m1")}), "ok");
     ASSERT_EQ(done(*store, CloseMatchJob{"m1", {"over", 2000}}), "ok");
-    EXPECT_EQ(done(*store, AppendGameJob{"m1", {1, Seat{0}}}), "there is no open match m1");
+    EXPECT_EQ(done(*store, AppendMoveJob{"m1", some_move(1)}), "there is no open match m1");
     EXPECT_EQ(done(*store, CloseMatchJob{"m1", {"over", 2000}}), "there is no open match m1");
     EXPECT_EQ(done(*store, CreateMatchJob{"BCDFGH", match_record("m2")}), "ok");
 }
@@ -121,14 +117,39 @@ TEST(ReplayStore, ListsMatchesNewestFirstPageByPage) {
     const auto rest = archive->list(2, page->at(1).position);
     ASSERT_EQ(rest->size(), 1U);
     EXPECT_EQ(rest->at(0).id, "m1");
-    EXPECT_EQ(rest->at(0).created_ms, 1000);
+    EXPECT_EQ(rest->at(0).created_ms, match_record("m1").created_ms);
 }
 
-TEST(ReplayStore, CountsShots) {
+TEST(ReplayStore, CountsTheShotsOfEachMatch) {
     const TemporaryFolder folder;
     const auto store = open_store(folder.path());
     store_match(*store, "m1", "BCDFGH", played_match("m1", kShots));
     EXPECT_EQ(store->open_archive()->list(1)->at(0).shots, kShots);
+}
+
+TEST(ReplayStore, CountsGamesAndThoseWonByWhoSatDownLast) {
+    const TemporaryFolder folder;
+    const auto store = open_store(folder.path());
+    const auto records = played_match("m1", 30);
+    std::uint32_t games = 0;
+    PerSeat<std::uint32_t> wins{};
+    for (const ReplayRecord& record : records) {
+        const auto* move = std::get_if<MoveRecord>(&record);
+        if (move == nullptr || !move->ruling || !move->ruling->winner) continue;
+        ++games;
+        ++wins[move->ruling->winner->value];
+    }
+    ASSERT_GT(wins[0], 0U);
+    ASSERT_GT(wins[1], 0U);
+    store_match(*store, "m1", "BCDFGH", {records.begin(), records.end() - 1});
+    const auto archive = store->open_archive();
+    EXPECT_EQ(archive->list(1)->at(0).games, games);
+    EXPECT_EQ(archive->list(1)->at(0).wins, wins);
+    ASSERT_EQ(done(*store, SetSeatJob{"m1", {Seat{1}, ""}, ""}), "ok");
+    EXPECT_EQ(archive->list(1)->at(0).wins, wins) << "they are still Bob's";
+    ASSERT_EQ(done(*store, SetSeatJob{"m1", {Seat{1}, "Zoe"}, "x"}), "ok");
+    EXPECT_EQ(archive->list(1)->at(0).wins, (PerSeat<std::uint32_t>{wins[0], 0}));
+    EXPECT_EQ(archive->list(1)->at(0).games, games);
 }
 
 TEST(ReplayStore, KeepsTokensOutOfWhatItExports) {
@@ -152,7 +173,7 @@ TEST(ReplayStore, ManyThreadsShareCommitsAndNoNumberIsMissing) {
             const auto count = [&](const JobFailure& failure) { stored += failure ? 0 : 1; };
             store->submit(CreateMatchJob{id, match_record(id)}, count);
             for (std::uint32_t n = 2; n <= kJobs; ++n)
-                store->submit(AppendGameJob{id, {n, Seat{0}}}, count);
+                store->submit(AppendMoveJob{id, some_move(n)}, count);
         });
     }
     for (std::thread& thread : threads)
@@ -167,7 +188,7 @@ TEST(ReplayStore, ManyThreadsShareCommitsAndNoNumberIsMissing) {
         const auto& records = open->matches[static_cast<std::size_t>(i)].records;
         ASSERT_EQ(records.size(), kJobs);
         for (std::uint32_t n = 2; n <= kJobs; ++n)
-            EXPECT_EQ(std::get<GameRecord>(records[n - 1]).game_number, n);
+            EXPECT_EQ(std::get<MoveRecord>(records[n - 1]).at_ms, n);
     }
 }
 
@@ -179,7 +200,7 @@ TEST(ReplayStore, WhatIsQueuedIsDoneBeforeItCloses) {
         const auto store = open_store(folder.path());
         ASSERT_EQ(done(*store, CreateMatchJob{"BCDFGH", match_record("m1")}), "ok");
         for (std::uint32_t n = 1; n <= kJobs; ++n) {
-            store->submit(AppendGameJob{"m1", {n, Seat{0}}},
+            store->submit(AppendMoveJob{"m1", some_move(n)},
                           [&](const JobFailure& failure) { stored += failure ? 0 : 1; });
         }
     }
@@ -202,11 +223,11 @@ TEST(ReplayStore, AFullQueueRefusesAtOnce) {
     writer_waits.get_future().wait();
     std::atomic<int> stored = 0;
     for (int i = 0; i < 2; ++i) {
-        store.submit(AppendGameJob{"m1", {1, Seat{0}}},
+        store.submit(AppendMoveJob{"m1", some_move(1)},
                      [&](const JobFailure& failure) { stored += failure ? 0 : 1; });
     }
     EXPECT_EQ(store.backlog(), 2U);
-    EXPECT_EQ(done(store, AppendGameJob{"m1", {1, Seat{0}}}),
+    EXPECT_EQ(done(store, AppendMoveJob{"m1", some_move(1)}),
               "the replay store cannot keep up: 2 jobs wait");
     go_on.set_value();
     opened->reset();

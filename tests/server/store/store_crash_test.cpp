@@ -1,9 +1,9 @@
 #include "protocol/replay/reader.hpp"
+#include "tests/server/store/full_disk.hpp"
 #include "tests/server/store/store_fixture.hpp"
 
 #include <algorithm>
 #include <csignal>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,8 +11,7 @@ namespace poolhall::server {
 namespace {
 
 using namespace poolhall::test;
-using protocol::GameRecord;
-using protocol::MatchRecord;
+using protocol::MoveRecord;
 
 constexpr std::uint32_t kEndless = 1'000'000;
 
@@ -21,10 +20,11 @@ constexpr std::uint32_t kEndless = 1'000'000;
     const auto opened = ReplayStore::open({folder, kEndless});
     if (!opened) _exit(1);
     ReplayStore& store = **opened;
-    store.submit(CreateMatchJob{"BCDFGH", MatchRecord{"m1", "end_game", "poolhall 0.1.0", 0}},
-                 [](const JobFailure&) {});
+    store.submit(CreateMatchJob{"BCDFGH", match_record("m1")}, [](const JobFailure&) {});
+    MoveRecord move = some_move(0);
     for (std::uint32_t n = 1; n < kEndless; ++n) {
-        store.submit(AppendGameJob{"m1", {n, Seat{0}}}, [report, n](const JobFailure& failure) {
+        move.at_ms = n;
+        store.submit(AppendMoveJob{"m1", move}, [report, n](const JobFailure& failure) {
             if (failure || write(report, &n, sizeof n) != sizeof n) _exit(1);
         });
         // A few jobs a transaction, so that the kill falls between transactions as well as into
@@ -66,7 +66,7 @@ TEST(StoreCrash, AllThatWasAcknowledgedIsThereAfterAKill) {
         const auto& records = open->matches.at(0).records;
         ASSERT_GE(records.size(), acknowledged + 1);
         for (std::uint32_t n = 1; n < records.size(); ++n)
-            EXPECT_EQ(std::get<GameRecord>(records[n]).game_number, n);
+            EXPECT_EQ(std::get<MoveRecord>(records[n]).at_ms, n);
     }
 }
 
@@ -76,27 +76,6 @@ TEST(StoreCrash, AReaderCanReadWhatAKilledServerLeft) {
     const std::string file = exported(folder.path(), "m1");
     EXPECT_GT(std::count(file.begin(), file.end(), '\n'), acknowledged);
 }
-
-/// Lets no file of this process grow beyond `bytes` while it lives: a disk that is full.
-class FullDisk {
-  public:
-    explicit FullDisk(rlim_t bytes) {
-        std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-
-    ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
-
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-    FullDisk(FullDisk&&) = delete;
-    FullDisk& operator=(FullDisk&&) = delete;
-
-  private:
-    rlimit before_{};
-};
 
 TEST(StoreFull, AFullDiskFailsTheJobsUntilThereIsRoomAgain) {
     const TemporaryFolder folder;

@@ -70,8 +70,7 @@ inline server::StoreJob job_for(const std::string& match, const std::string& cod
     if (const auto* seat = std::get_if<SeatRecord>(&record)) {
         return SetSeatJob{match, *seat, seat->name.empty() ? "" : "hash of " + seat->name};
     }
-    if (const auto* game = std::get_if<GameRecord>(&record)) return AppendGameJob{match, *game};
-    if (const auto* shot = std::get_if<ShotRecord>(&record)) return AppendShotJob{match, *shot};
+    if (const auto* move = std::get_if<MoveRecord>(&record)) return AppendMoveJob{match, *move};
     return CloseMatchJob{match, std::get<EndRecord>(record)};
 }
 

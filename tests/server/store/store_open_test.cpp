@@ -2,6 +2,8 @@
 #include "tests/server/store/store_fixture.hpp"
 
 #include <SQLiteCpp/Database.h>
+#include <map>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,7 +14,7 @@ using namespace poolhall::test;
 
 /// Runs `body` in a process of its own without the rights of root; its result.
 template <class Body>
-std::string as_ordinary_user(const Body& body) {
+std::string as_ordinary_user(const Body& body, std::size_t limit = 1000) {
     constexpr uid_t kNobody = 65534;
     std::array<int, 2> pipe_ends{};
     if (pipe(pipe_ends.data()) != 0) return "no pipe";
@@ -24,7 +26,7 @@ std::string as_ordinary_user(const Body& body) {
         _exit(write(pipe_ends[1], result.data(), result.size()) < 0 ? 1 : 0);
     }
     close(pipe_ends[1]);
-    std::string result(1000, '\0');
+    std::string result(limit, '\0');
     const auto size = read(pipe_ends[0], result.data(), result.size());
     close(pipe_ends[0]);
     waitpid(child, nullptr, 0);
@@ -47,7 +49,23 @@ class StoreOpen : public testing::Test {
 
     [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
 
+    /// Name and owner of all that is in the folder.
+    [[nodiscard]] static std::map<std::string, uid_t> files(const std::filesystem::path& in) {
+        std::map<std::string, uid_t> found;
+        for (const auto& entry : std::filesystem::directory_iterator(in)) {
+            struct stat status {};
+
+            EXPECT_EQ(::stat(entry.path().c_str(), &status), 0);
+            found[entry.path().filename()] = status.st_uid;
+        }
+        return found;
+    }
+
+    [[nodiscard]] std::map<std::string, uid_t> files() const { return files(folder()); }
+
     [[nodiscard]] std::filesystem::path file() const { return folder() / "poolhall.sqlite"; }
+
+    [[nodiscard]] std::string file_of(const char* suffix) const { return file().string() + suffix; }
 
     void allow(std::filesystem::perms folder_rights, std::filesystem::perms file_rights) const {
         std::filesystem::permissions(folder(), folder_rights);
@@ -91,7 +109,8 @@ TEST_F(StoreOpen, ADatabaseThatCannotBeWrittenIsRefused) {
     allow(kWriteFolder, kWriteFile);
     std::filesystem::permissions(file(), kReadFile);
     EXPECT_EQ(as_ordinary_user([this] { return open_failure(folder()); }),
-              file().string() + " cannot be written");
+              file().string() + " cannot be written: Permission denied; it belongs to user " +
+                  std::to_string(getuid()));
 }
 
 TEST_F(StoreOpen, WhatIsNoDatabaseIsRefusedAndLeftAlone) {
@@ -110,7 +129,7 @@ TEST_F(StoreOpen, ADatabaseOfAnotherProgramIsRefused) {
 
 TEST_F(StoreOpen, ANewerVersionIsRefused) {
     fill();
-    SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2");
+    SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 3");
     EXPECT_EQ(open_failure(folder()),
               file().string() + " was written by a newer version of Poolhall");
     EXPECT_EQ(exported(folder(), "m1"),
@@ -163,6 +182,133 @@ TEST_F(StoreOpen, AReaderNeedsNoRightToWrite) {
     allow(kReadFolder, kReadFile);
     EXPECT_EQ(as_ordinary_user([this] { return exported(folder(), "m1"); }).substr(0, 7),
               "{\"sum\":");
+}
+
+TEST_F(StoreOpen, AReaderOfAnotherUserWhoMayWriteTheFolderLeavesNothingBehind) {
+    fill();
+    allow(kWriteFolder, kWriteFile);
+    const auto before = files();
+    const std::string file = as_ordinary_user([this] { return exported(folder(), "m1"); });
+    EXPECT_EQ(file.substr(0, 7), "{\"sum\":");
+    EXPECT_EQ(files(), before);
+    EXPECT_EQ(open_failure(folder()), "ok");
+}
+
+/// A server's store in a process of its own: what one process has opened, its children share.
+class StoreProcess {
+  public:
+    explicit StoreProcess(const std::filesystem::path& folder) {
+        std::array<int, 2> ready{};
+        std::array<int, 2> stay{};
+        if (pipe(ready.data()) != 0 || pipe(stay.data()) != 0) return;
+        child_ = fork();
+        if (child_ == 0) {
+            close(stay[1]);
+            auto store = open_store(folder);
+            store_match(*store, "m1", "BCDFGH", played_match("m1", 3));
+            char byte = 0;
+            const bool told = write(ready[1], "r", 1) == 1 && read(stay[0], &byte, 1) == 0;
+            store.reset();
+            _exit(told ? 0 : 1);
+        }
+        close(ready[1]);
+        close(stay[0]);
+        stay_ = stay[1];
+        char byte = 0;
+        EXPECT_EQ(read(ready[0], &byte, 1), 1);
+        close(ready[0]);
+    }
+
+    ~StoreProcess() {
+        close(stay_);
+        waitpid(child_, nullptr, 0);
+    }
+
+    StoreProcess(const StoreProcess&) = delete;
+    StoreProcess& operator=(const StoreProcess&) = delete;
+
+  private:
+    pid_t child_ = 0;
+    int stay_ = -1;
+};
+
+TEST_F(StoreOpen, AReaderOfAnotherUserBesideALiveServerSeesTheNewestAndLeavesNothingBehind) {
+    {
+        const StoreProcess server(folder());
+        allow(kWriteFolder, kReadFile);
+        const auto before = files();
+        EXPECT_GE(before.size(), 4U);
+        const std::string file = as_ordinary_user([this] { return exported(folder(), "m1"); });
+        EXPECT_EQ(file.substr(0, 7), "{\"sum\":");
+        EXPECT_EQ(files(), before);
+        std::filesystem::permissions(file_of("-shm"), std::filesystem::perms::owner_all);
+        EXPECT_EQ(as_ordinary_user([this] { return exported(folder(), "m1"); }),
+                  file_of("-shm") + " cannot be read: Permission denied; it belongs to user " +
+                      std::to_string(getuid()));
+    }
+    EXPECT_EQ(files().size(), 2U) << "the server left more than the database and its lock";
+}
+
+/// The folder as a server leaves it that is killed with all that it stored in the log.
+void copy_live(const std::filesystem::path& live, const std::filesystem::path& to, bool index) {
+    std::filesystem::create_directory(to);
+    for (const char* suffix : {"", "-wal", "-shm"}) {
+        if (suffix == std::string("-shm") && !index) continue;
+        const std::string name = std::string("poolhall.sqlite") + suffix;
+        std::filesystem::copy_file(live / name, to / name);
+    }
+}
+
+TEST_F(StoreOpen, AReaderOfWhatAKilledServerLeftSeesTheNewestAndLeavesNothingBehind) {
+    const TemporaryFolder live;
+    const StoreProcess server(live.path());
+    const std::string whole = replay_file(played_match("m1", 3));
+    for (const bool index : {true, false}) {
+        const auto killed = folder() / (index ? "killed" : "copied without index");
+        copy_live(live.path(), killed, index);
+        for (const auto rights : {kWriteFolder, kReadFolder}) {
+            std::filesystem::permissions(folder(), kWriteFolder);
+            std::filesystem::permissions(killed, rights);
+            const auto before = files(killed);
+            EXPECT_EQ(as_ordinary_user([&] { return exported(killed, "m1"); }, whole.size()),
+                      whole);
+            EXPECT_EQ(exported(killed, "m1"), whole);
+            EXPECT_EQ(files(killed), before);
+        }
+        std::filesystem::permissions(killed, kWriteFolder);
+        EXPECT_EQ(open_failure(killed), "ok");
+    }
+}
+
+TEST_F(StoreOpen, AReaderSeesWhatAServerStoresThatBeganAfterIt) {
+    fill();
+    const auto archive = protocol::ReplayArchive::open(folder());
+    ASSERT_TRUE(archive);
+    ASSERT_EQ(archive->list(10)->size(), 1U);
+    {
+        const auto store = open_store(folder());
+        store_match(*store, "m2", "BCDFGH", played_match("m2", 1));
+        EXPECT_EQ(archive->list(10)->size(), 2U);
+        store_match(*store, "m3", "BCDFGH", played_match("m3", 1));
+        EXPECT_EQ(archive->list(10)->size(), 3U);
+    }
+    EXPECT_EQ(archive->list(10)->size(), 3U);
+    open_store(folder()).reset();
+    EXPECT_EQ(archive->list(10)->size(), 3U);
+}
+
+TEST_F(StoreOpen, AServerNamesTheFileOfAnotherUserThatIsInItsWay) {
+    fill();
+    for (const char* name : {"poolhall.sqlite-wal", "poolhall.sqlite-shm", "poolhall.lock"}) {
+        allow(kWriteFolder, kWriteFile);
+        const bool is_new = !std::filesystem::exists(folder() / name);
+        if (is_new) write_file(folder() / name, "");
+        std::filesystem::permissions(folder() / name, kReadFile);
+        const std::string failure = as_ordinary_user([this] { return open_failure(folder()); });
+        EXPECT_NE(failure.find((folder() / name).string()), std::string::npos) << failure;
+        EXPECT_NE(failure.find("Permission denied"), std::string::npos) << failure;
+        if (is_new) std::filesystem::remove(folder() / name);
+    }
 }
 
 TEST_F(StoreOpen, AReaderSaysThatThereIsNoStore) {

@@ -205,6 +205,19 @@ std::string exchange(const std::string& address, std::string_view bytes) {
     return answer;
 }
 
+struct SilentConnections::State {
+    net::io_context context;
+    std::vector<tcp::socket> sockets;
+};
+
+SilentConnections::SilentConnections(const std::string& address, int count)
+    : state_(std::make_unique<State>()) {
+    for (int i = 0; i < count; ++i)
+        state_->sockets.emplace_back(state_->context).connect(endpoint_of(address));
+}
+
+SilentConnections::~SilentConnections() = default;
+
 HttpAnswer refused_handshake(const ConnectSpec& spec) {
     net::io_context context;
     websocket::stream<tcp::socket> stream(context);

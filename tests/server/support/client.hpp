@@ -94,6 +94,19 @@ HttpAnswer http_get(const std::string& address, const std::string& target,
 /// Sends the bytes on a new connection and returns all that comes back until the server closes.
 std::string exchange(const std::string& address, std::string_view bytes);
 
+/// Connections that say nothing, for as long as it lives.
+class SilentConnections {
+  public:
+    SilentConnections(const std::string& address, int count);
+    ~SilentConnections();
+    SilentConnections(const SilentConnections&) = delete;
+    SilentConnections& operator=(const SilentConnections&) = delete;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// What a refused WebSocket handshake is answered with.
 HttpAnswer refused_handshake(const ConnectSpec& spec);
 

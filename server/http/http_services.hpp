@@ -1,6 +1,7 @@
 #pragma once
 
 #include "server/http/routes.hpp"
+#include "server/net/admission.hpp"
 #include "server/session/session_services.hpp"
 
 #include <cstdint>
@@ -13,10 +14,10 @@ class thread_pool;
 
 namespace poolhall::server {
 
-/// What connections need of the server; outlives them.
-struct ConnectionServices {
+/// What connections need of the server before they are sessions; outlives them.
+struct HttpServices {
+    Admission& admission;
     SessionServices& sessions;
-    Counters& counters;
     RouteServices routes;
     boost::asio::thread_pool& readers;  ///< for routes that block
     std::vector<std::string> allowed_origins;
