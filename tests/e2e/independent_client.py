@@ -52,6 +52,9 @@ class Client:
                 raise Rejected(message)
         return message
 
+    async def move(self, seat, kind, **fields):
+        return await self.command("move", seat=seat, move={"type": kind, **fields})
+
     async def command(self, kind, **fields):
         """Sends a command and returns its answer: joined, accepted or pong."""
         self.seq += 1
@@ -91,18 +94,24 @@ async def watch_shot(client):
     return started, screen, message
 
 
+def cue_ball(table):
+    state = table["state"]
+    return state["scene"]["balls"][state["cue_ball"]]["r"]
+
+
 def direction_to(table, place):
-    cue = table["scene"]["balls"][table["cue_ball"]]["r"]
+    cue = cue_ball(table)
     return [place[0] - cue[0], place[1] - cue[1]]
 
 
 def eight_ball(table):
-    return next(ball["r"] for ball in table["scene"]["balls"] if ball["id"] == "8")
+    return next(ball["r"] for ball in table["state"]["scene"]["balls"] if ball["id"] == "8")
 
 
 def clear_corner(table):
     """The corner whose line from the cue ball passes farthest from the 8-ball."""
-    length, width = table["scene"]["table"]["length"], table["scene"]["table"]["width"]
+    cloth = table["state"]["scene"]["table"]
+    length, width = cloth["length"], cloth["width"]
     eight = direction_to(table, eight_ball(table))
 
     def distance(corner):
@@ -156,13 +165,19 @@ class IndependentClientTest(unittest.IsolatedAsyncioTestCase):
         pocketed = [ball["motion"] == "pocketed" for ball in ended["balls"]]
         sunk = [event["balls"][0] for event in screen.events if event["kind"] == "ball_pocket"]
         self.assertEqual(sorted(sunk), [index for index, down in enumerate(pocketed) if down])
-        self.assertEqual("over" if "winner" in ended["ruling"] else "aiming", ended["table"]["phase"])
+        over = "winner" in ended["ruling"]
+        self.assertEqual("over" if over else "aiming", ended["table"]["phase"])
+        self.assertEqual(over, ended["table"]["state"]["over"])
+        self.assertEqual(over, "shoot" not in ended["table"]["legal"])
+        self.assertEqual(ended["ruling"], ended["table"]["ruling"])
 
     async def shoot(self, clients, table, place):
         """The seat whose turn it is shoots at `place`; all see the same. Returns the table after it."""
-        shooter = table["turn"]
+        shooter = table["legal"]["seat"]
+        self.assertEqual(table["state"]["turn"], shooter)
+        self.assertIn("shoot", table["legal"])
         watching = [asyncio.create_task(watch_shot(client)) for client in clients if client is not clients[shooter]]
-        answer = await clients[shooter].command("shoot", seat=shooter, direction=direction_to(table, place))
+        answer = await clients[shooter].move(shooter, "shoot", strike={"direction": direction_to(table, place)})
         self.assertEqual("accepted", answer["type"])
         seen = await asyncio.gather(watch_shot(clients[shooter]), *watching)
         for each in seen:
@@ -176,7 +191,7 @@ class IndependentClientTest(unittest.IsolatedAsyncioTestCase):
         """A shot at the 8-ball while the table allows it, then one into a corner."""
         table = await self.shoot(clients, table, eight_ball(table)[:2])
         if table["phase"] == "aiming":
-            loser = table["turn"]
+            loser = table["legal"]["seat"]
             table = await self.shoot(clients, table, clear_corner(table))
             self.assertEqual("scratch", table["ruling"]["verdict"])
             self.assertEqual(1 - loser, table["ruling"]["winner"])
@@ -199,10 +214,12 @@ class IndependentClientTest(unittest.IsolatedAsyncioTestCase):
             clients = [ann, bob, wanda]
             table = await self.play_to_a_scratch(clients, watching["table"])
             for seat, client in enumerate((ann, bob)):
-                await client.command("rematch", seat=seat)
+                await client.move(seat, "agree", what="rematch")
             while table["game_number"] != 2:
                 table = (await wanda.await_type("table"))["table"]
-            self.assertEqual((1, True, "aiming"), (table["turn"], table["may_place"], table["phase"]))
+            self.assertEqual((1, "aiming"), (table["legal"]["seat"], table["phase"]))
+            self.assertEqual({"type": "end_game", "in_hand": True}, table["state"]["part"])
+            self.assertIn("place", table["legal"])
             await self.play_to_a_scratch(clients, table)
 
     async def test_who_creates_a_match_chooses_its_physics(self):
@@ -218,25 +235,50 @@ class IndependentClientTest(unittest.IsolatedAsyncioTestCase):
                 self.assertEqual(code, rejected.exception.code)
             joined = await ann.command("create_match", name="Ann", settings=settings)
             table = (await bob.command("join_match", code=joined["table"]["code"], name="Bob"))["table"]
-            effects = table["scene"]["effects"]
-            self.assertEqual("event", table["scene"]["solver"]["kind"])
+            scene = table["state"]["scene"]
+            effects = scene["effects"]
+            self.assertEqual("event", scene["solver"]["kind"])
             self.assertEqual((0.2, 0.01, 0.85), (effects["sliding"]["mu"], effects["rolling"]["mu"], effects["rail"]["e"]))
             self.assertNotIn("linear_drag", effects)
             table = await self.shoot([ann, bob], table, eight_ball(table)[:2])
-            self.assertEqual(effects, table["scene"]["effects"])
+            self.assertEqual(effects, table["state"]["scene"]["effects"])
+
+    async def test_a_game_is_conceded_and_a_race_is_won(self):
+        async with (server() as address, connection(address) as ann, connection(address, "poolhall.v1.cbor") as bob):
+            joined = await ann.command("create_match", name="Ann", settings={"race_to": 1, "breaks": "winner"})
+            await bob.command("join_match", code=joined["table"]["code"], name="Bob")
+            await bob.move(1, "concede")  # not his turn
+            table = joined["table"]
+            while table["phase"] != "over":
+                table = (await ann.await_type("table"))["table"]
+            self.assertEqual({"verdict": "conceded", "shooter": 1, "next": 0, "winner": 0, "decided_at": 0},
+                             table["ruling"])
+            self.assertEqual((0, 0), (table["winner"], table["state"]["winner"]))
+            for seat, client in enumerate((ann, bob)):
+                await client.move(seat, "agree", what="rematch")
+            while table["game_number"] != 2:
+                table = (await ann.await_type("table"))["table"]
+            self.assertEqual((0, [0, 0]), (table["legal"]["seat"], [seat["wins"] for seat in table["seats"]]))
+            self.assertNotIn("winner", table)
 
     async def test_a_player_places_aims_and_comes_back_with_the_token(self):
         async with server() as address, connection(address, "poolhall.v1.json") as ann:
             joined = await ann.command("create_match", name="Ann", stream="states")
             self.assertEqual("accepted", (await ann.command("take_seat", seat=1))["type"])
             table = (await ann.await_type("table"))["table"]
-            cue = table["scene"]["balls"][table["cue_ball"]]["r"]
-            await ann.command("place_cue_ball", seat=0, position=[cue[0], 0.1])
+            region = table["legal"]["place"]
+            place = [region["low"][0], 0.1]
+            self.assertLess(region["low"][1], place[1])
+            self.assertLess(place[1], region["high"][1])
+            await ann.command("aim", seat=0, direction=[1, 0.5], cue=place)
             aim = await ann.await_type("aim")
-            self.assertEqual([cue[0], 0.1], aim["cue"])
+            self.assertEqual(([1, 0.5], place), (aim["direction"], aim["cue"]))
+            await ann.move(0, "place", position=place)
+            while cue_ball(table)[:2] != place:
+                table = (await ann.await_type("table"))["table"]
+            self.assertEqual((0, 0), (table["legal"]["seat"], table["state"]["shots"]))
+            self.assertNotIn("cue", table)
             await ann.command("aim", seat=0, direction=[1, 0.5])
-            while aim["direction"] != [1, 0.5]:
-                aim = await ann.await_type("aim")
             self.assertEqual("pong", (await ann.command("ping"))["type"])
 
             async with connection(address, "poolhall.v9.json", "poolhall.v1.cbor") as back:
@@ -251,15 +293,19 @@ class IndependentClientTest(unittest.IsolatedAsyncioTestCase):
 
     async def test_what_the_page_says_is_rejected_is_rejected(self):
         async with server() as address, connection(address) as ann:
+            shot = {"type": "shoot", "strike": {"direction": [1, 0]}}
             with self.assertRaises(Rejected) as rejected:
-                await ann.command("shoot", seat=0, direction=[1, 0])
+                await ann.command("move", seat=0, move=shot)
             self.assertEqual("not_in_match", rejected.exception.code)
             await ann.command("create_match", name="Ann")
             for code, kind, fields in (
-                    ("wrong_phase", "shoot", {"seat": 0, "direction": [1, 0]}),
-                    ("not_your_seat", "shoot", {"seat": 1, "direction": [1, 0]}),
-                    ("bad_field", "shoot", {"seat": 0, "direction": [0, 0]}),
-                    ("missing_field", "shoot", {"seat": 0}),
+                    ("wrong_phase", "move", {"seat": 0, "move": shot}),
+                    ("not_your_seat", "move", {"seat": 1, "move": shot}),
+                    ("bad_field", "move", {"seat": 0, "move": {"type": "shoot", "strike": {"direction": [0, 0]}}}),
+                    ("missing_field", "move", {"seat": 0}),
+                    ("missing_field", "move", {"seat": 0, "move": {"type": "shoot"}}),
+                    ("unknown_field", "move", {"seat": 0, "move": {"type": "concede", "more": 1}}),
+                    ("unknown_type", "move", {"seat": 0, "move": {"type": "dance"}}),
                     ("unknown_field", "ping", {"more": 1}),
                     ("unknown_type", "dance", {}),
                     ("already_in_match", "create_match", {"name": "Ann"}),
@@ -267,6 +313,16 @@ class IndependentClientTest(unittest.IsolatedAsyncioTestCase):
                 with self.assertRaises(Rejected) as rejected:
                     await ann.command(kind, **fields)
                 self.assertEqual((code, ann.seq), (rejected.exception.code, rejected.exception.seq))
+            await ann.command("take_seat", seat=1)
+            for code, seat, move in (
+                    ("not_your_turn", 1, shot),
+                    ("wrong_phase", 0, {"type": "agree", "what": "rematch"}),
+                    ("illegal", 0, {"type": "place", "position": [0.5, 0.5]}),
+                    ("illegal", 0, {"type": "shoot", "strike": {"direction": [1, 0], "speed": 1}}),
+                    ("illegal", 0, {"type": "time_out"})):
+                with self.assertRaises(Rejected) as rejected:
+                    await ann.command("move", seat=seat, move=move)
+                self.assertEqual((code, ann.seq), (rejected.exception.code, rejected.exception.seq), move)
             ann.seq -= 1
             with self.assertRaises(Rejected) as rejected:
                 await ann.command("ping")

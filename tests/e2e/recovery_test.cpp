@@ -18,7 +18,7 @@ TEST(Recovery, ServerKilledInMidShotGoesOnFromItsResult) {
     const TemporaryFolder data;
     std::optional<ServerProcess> server(std::in_place, data.path());
     Duel duel(server->port());
-    const ShotOutcome outcome = find_shot(duel.game, Verdict::kTurnPasses);
+    const PlayedShot outcome = find_shot(duel.game, Verdict::kTurnPasses);
     duel.player(duel.game.turn).send(command_of(outcome));
     duel.bob.await<Frame>([](const Frame& frame) { return frame.tick >= 5; });
     server->kill();
@@ -69,7 +69,7 @@ TEST(Recovery, PlayerWhoComesBackInMidShotSeesItsEnd) {
     const TemporaryFolder data;
     ServerProcess server(data.path());
     Duel duel(server.port());
-    const ShotOutcome outcome = find_shot(duel.game, Verdict::kTurnPasses);
+    const PlayedShot outcome = find_shot(duel.game, Verdict::kTurnPasses);
     duel.player(duel.game.turn).send(command_of(outcome));
     duel.bob.await<Frame>();
     { const ProtocolClient dropped = std::move(duel.bob); }
@@ -89,14 +89,14 @@ TEST(Recovery, NewerConnectionOfAPlayerReplacesTheOlder) {
     EXPECT_EQ(second.enter(way_back(duel.ann_joined)).seats, std::vector{Seat{0}});
     duel.ann.await<Closing>();
     EXPECT_EQ(duel.ann.socket().await_end(ProtocolClient::kPatience).code, 1008);
-    EXPECT_EQ(second.refused(Shoot{Seat{1}, {1, 0}}).code, RejectCode::kNotYourSeat);
+    EXPECT_EQ(second.refused(shot_by(Seat{1}, {1, 0})).code, RejectCode::kNotYourSeat);
 }
 
 TEST(Recovery, ServerAskedToEndInMidShotSaysSoAndKeepsTheShot) {
     const TemporaryFolder data;
     std::optional<ServerProcess> server(std::in_place, data.path());
     Duel duel(server->port());
-    const ShotOutcome outcome = find_shot(duel.game, Verdict::kTurnPasses);
+    const PlayedShot outcome = find_shot(duel.game, Verdict::kTurnPasses);
     duel.player(duel.game.turn).send(command_of(outcome));
     duel.ann.await<Frame>();
 
@@ -116,7 +116,7 @@ TEST(Recovery, FinishedMatchIsRebuiltWithItsWinsForTheRematch) {
     const TemporaryFolder data;
     std::optional<ServerProcess> server(std::in_place, data.path());
     Duel duel(server->port());
-    const ShotOutcome outcome = duel.play(Verdict::kScratch);
+    const PlayedShot outcome = duel.play(Verdict::kScratch);
     server->kill();
     server.emplace(data.path());
 
@@ -126,10 +126,10 @@ TEST(Recovery, FinishedMatchIsRebuiltWithItsWinsForTheRematch) {
     EXPECT_EQ(table.phase, Phase::kOver);
     EXPECT_EQ(table.seats[outcome.ruling.winner.value().value].wins, 1U);
     duel.bob.enter(way_back(duel.bob_joined));
-    duel.ann.request(Rematch{Seat{0}});
-    duel.bob.request(Rematch{Seat{1}});
+    duel.ann.request(rematch_by(Seat{0}));
+    duel.bob.request(rematch_by(Seat{1}));
     const auto second = [](const TableState& next) { return next.game_number == 2; };
-    EXPECT_EQ(duel.ann.await_table(second).turn, opponent(outcome.ruling.shooter));
+    EXPECT_EQ(duel.ann.await_table(second).state.turn, opponent(outcome.ruling.shooter));
 }
 
 }  // namespace

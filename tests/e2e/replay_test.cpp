@@ -28,9 +28,9 @@ std::string with_shot_changed(const std::string& exported, std::uint32_t number)
     std::string changed;
     for (std::string line; std::getline(lines, line);) {
         auto record = record_from_text(split_line(line).value().record);
-        ShotRecord* shot = std::get_if<ShotRecord>(&record.value().record);
-        if (shot != nullptr && shot->shot == number)
-            shot->scene.strike.value().direction.y += 0.001;
+        MoveRecord* made = std::get_if<MoveRecord>(&record.value().record);
+        if (made != nullptr && made->shot && made->shot->shot == number)
+            std::get<Shoot>(made->move).strike.direction.y += 0.001;
         const std::string text = to_text(record.value().n, record.value().record);
         changed += to_line({checksum_text(text), text});
     }
@@ -43,8 +43,8 @@ class Replay : public testing::Test {
     void SetUp() override {
         shots.push_back(duel.play(Verdict::kTurnPasses));
         shots.push_back(duel.play(Verdict::kWon));
-        duel.ann.request(Rematch{Seat{0}});
-        duel.bob.request(Rematch{Seat{1}});
+        duel.ann.request(rematch_by(Seat{0}));
+        duel.bob.request(rematch_by(Seat{1}));
         duel.game = kEndGameRules.new_game(opponent(shots[0].ruling.shooter));
         shots.push_back(duel.play(Verdict::kScratch));
     }
@@ -68,7 +68,7 @@ class Replay : public testing::Test {
     ServerProcess server{data.path()};
     Duel duel{server.port()};
     std::string id = duel.ann_joined.table.match;
-    std::vector<ShotOutcome> shots;
+    std::vector<PlayedShot> shots;
 };
 
 TEST_F(Replay, IsListedShownVerifiedAndExported) {
@@ -80,7 +80,7 @@ TEST_F(Replay, IsListedShownVerifiedAndExported) {
     EXPECT_EQ(shown.status, 0) << shown.err;
     const Finished verified = tool("verify", {id});
     EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
-    for (const ShotOutcome& shot : shots) {
+    for (const PlayedShot& shot : shots) {
         EXPECT_NE(shown.out.find(to_hex(shot.trace.hash)), std::string::npos) << shown.out;
         EXPECT_NE(verified.out.find(to_hex(shot.trace.hash)), std::string::npos) << verified.out;
     }

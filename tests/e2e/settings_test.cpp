@@ -33,7 +33,7 @@ class Settings : public testing::Test {
 };
 
 /// Of a client in the stream `shots`: its own simulation gives what the server says.
-void expect_own_simulation(const ShotHeard& heard, const ShotOutcome& outcome) {
+void expect_own_simulation(const ShotHeard& heard, const PlayedShot& outcome) {
     EXPECT_TRUE(heard.frames.empty());
     const ShotTrace own = simulate(heard.started.scene);
     EXPECT_EQ(heard.started.final_hash, own.hash);
@@ -43,14 +43,14 @@ void expect_own_simulation(const ShotHeard& heard, const ShotOutcome& outcome) {
 }
 
 TEST_F(Settings, MatchOfTheEventSolverIsPlayedToItsEndAndAgain) {
-    Duel duel(server->port(), Encoding::kJson, Encoding::kCbor, pool_settings());
+    Duel duel(server->port(), Encoding::kJson, Encoding::kCbor, {pool_settings()});
     const std::string code = duel.ann_joined.table.code;
     ProtocolClient wanda(server->port(), Encoding::kCbor);
     ProtocolClient will(server->port(), Encoding::kJson);
-    EXPECT_EQ(wanda.enter(WatchMatch{code, "Wanda"}).table.scene, duel.game.scene);
+    EXPECT_EQ(wanda.enter(WatchMatch{code, "Wanda"}).table.state, duel.game);
     will.enter(WatchMatch{code, "Will", Stream::kShots});
     const auto play = [&](Verdict verdict) {
-        const ShotOutcome outcome = duel.play(verdict);
+        const PlayedShot outcome = duel.play(verdict);
         expect_same_shot(wanda.hear_shot(), outcome);
         expect_own_simulation(will.hear_shot(), outcome);
     };
@@ -59,9 +59,10 @@ TEST_F(Settings, MatchOfTheEventSolverIsPlayedToItsEndAndAgain) {
     play(Verdict::kWon);
     EXPECT_TRUE(duel.game.over);
 
-    duel.ann.request(Rematch{Seat{0}});
-    duel.bob.request(Rematch{Seat{1}});
-    duel.game = new_game(kEndGameRules, opponent(duel.bob_joined.table.turn), pool_settings());
+    duel.ann.request(rematch_by(Seat{0}));
+    duel.bob.request(rematch_by(Seat{1}));
+    duel.game =
+        new_game(kEndGameRules, opponent(duel.bob_joined.table.state.turn), pool_settings());
     play(Verdict::kScratch);
     const std::string id = duel.ann_joined.table.match;
     expect_replay(id);
@@ -73,18 +74,18 @@ TEST_F(Settings, MatchOfTheEventSolverIsPlayedToItsEndAndAgain) {
 TEST_F(Settings, EverySolverIsShownAtThirtyHertzToTheLastBit) {
     for (const SolverSpec& solver : kPlayableSolvers) {
         SCOPED_TRACE(std::string(name(solver.kind)) + " " + std::to_string(solver.hz));
-        Duel duel(server->port(), Encoding::kCbor, Encoding::kJson, pool_settings(solver));
+        Duel duel(server->port(), Encoding::kCbor, Encoding::kJson, {pool_settings(solver)});
         ProtocolClient will(server->port(), Encoding::kCbor);
         will.enter(WatchMatch{duel.ann_joined.table.code, "Will", Stream::kShots});
-        const ShotOutcome outcome = duel.play(Verdict::kTurnPasses);
+        const PlayedShot outcome = duel.play(Verdict::kTurnPasses);
         expect_own_simulation(will.hear_shot(), outcome);
         expect_replay(duel.ann_joined.table.match);
     }
 }
 
 TEST_F(Settings, SurviveAServerThatIsKilledInMidShot) {
-    Duel duel(server->port(), Encoding::kJson, Encoding::kCbor, pool_settings());
-    const ShotOutcome outcome = find_shot(duel.game, Verdict::kTurnPasses);
+    Duel duel(server->port(), Encoding::kJson, Encoding::kCbor, {pool_settings()});
+    const PlayedShot outcome = find_shot(duel.game, Verdict::kTurnPasses);
     duel.player(duel.game.turn).send(command_of(outcome));
     duel.bob.await<Frame>([](const Frame& frame) { return frame.tick >= 5; });
     server->kill();
@@ -97,26 +98,30 @@ TEST_F(Settings, SurviveAServerThatIsKilledInMidShot) {
     expect_table_after(duel.bob.enter(Resume{code, duel.bob_joined.token}).table, outcome);
     duel.game = outcome.state;
     duel.play(Verdict::kScratch);
-    duel.ann.request(Rematch{Seat{0}});
-    duel.bob.request(Rematch{Seat{1}});
+    duel.ann.request(rematch_by(Seat{0}));
+    duel.bob.request(rematch_by(Seat{1}));
     const auto second = [](const TableState& table) { return table.game_number == 2; };
     const TableState table = duel.ann.await_table(second);
-    EXPECT_EQ(table.scene, new_game(kEndGameRules, table.turn, pool_settings()).scene);
+    EXPECT_EQ(table.state, new_game(kEndGameRules, table.state.turn, pool_settings()));
     expect_replay(duel.ann_joined.table.match);
 }
 
 TEST_F(Settings, OnesThatCannotBePlayedAreRefusedInBothEncodings) {
     for (const Encoding encoding : {Encoding::kJson, Encoding::kCbor}) {
         ProtocolClient client(server->port(), encoding);
-        GameSettings settings = pool_settings();
-        settings.effects->rolling.reset();
+        MatchSettings settings{pool_settings()};
+        settings.game.effects->rolling.reset();
         const Reject unfit = client.refused(CreateMatch{"Ann", "end_game", {}, settings});
         EXPECT_EQ(unfit.code, RejectCode::kBadField);
         EXPECT_NE(unfit.reason.find("/settings/effects "), std::string::npos) << unfit.reason;
-        settings = pool_settings({SolverKind::kEuler, 1e6});
+        settings = {pool_settings({SolverKind::kEuler, 1e6})};
         EXPECT_EQ(client.refused(CreateMatch{"Ann", "end_game", {}, settings}).code,
                   RejectCode::kBadField);
-        EXPECT_EQ(client.enter(CreateMatch{"Ann"}).table.scene,
+        settings = {{}, kMaxRace + 1};
+        const Reject long_race = client.refused(CreateMatch{"Ann", "end_game", {}, settings});
+        EXPECT_NE(long_race.reason.find("/settings/race_to "), std::string::npos)
+            << long_race.reason;
+        EXPECT_EQ(client.enter(CreateMatch{"Ann"}).table.state.scene,
                   kEndGameRules.new_game(Seat{0}).scene)
             << "the session goes on";
     }

@@ -19,14 +19,14 @@ class Spectator : public testing::Test {
 };
 
 TEST_F(Spectator, WhoComesInMidShotSeesItFromThereToItsEnd) {
-    const ShotOutcome outcome = find_shot(duel.game, Verdict::kTurnPasses);
+    const PlayedShot outcome = find_shot(duel.game, Verdict::kTurnPasses);
     duel.player(duel.game.turn).send(command_of(outcome));
     duel.ann.await<Frame>([](const Frame& frame) { return frame.tick >= 10; });
 
     ProtocolClient late(server.port(), Encoding::kJson);
     const TableState table = late.enter(WatchMatch{duel.ann_joined.table.code, "Wanda"}).table;
     EXPECT_EQ(table.phase, Phase::kPlaying);
-    EXPECT_EQ(table.scene, duel.game.scene);
+    EXPECT_EQ(table.state, duel.game);
     ASSERT_TRUE(table.live);
     EXPECT_EQ(table.live->shot, 1U);
     ASSERT_GE(table.live->tick, 10U);
@@ -45,7 +45,7 @@ TEST_F(Spectator, WhoComesInMidShotSeesItFromThereToItsEnd) {
 }
 
 TEST_F(Spectator, SeesFramesAtThirtyHertz) {
-    const ShotOutcome outcome = find_shot(duel.game, Verdict::kTurnPasses);
+    const PlayedShot outcome = find_shot(duel.game, Verdict::kTurnPasses);
     duel.player(duel.game.turn).send(command_of(outcome));
     const ShotHeard heard = duel.bob.hear_shot();
 
@@ -73,8 +73,8 @@ TEST_F(Spectator, IsCountedAndMayLeave) {
 TEST_F(Spectator, CannotPlay) {
     ProtocolClient watcher(server.port(), Encoding::kJson);
     watcher.enter(WatchMatch{duel.ann_joined.table.code, "Wanda"});
-    EXPECT_EQ(watcher.refused(Shoot{duel.game.turn, {1, 0}}).code, RejectCode::kNotYourSeat);
-    EXPECT_EQ(watcher.refused(Rematch{Seat{0}}).code, RejectCode::kNotYourSeat);
+    EXPECT_EQ(watcher.refused(shot_by(duel.game.turn, {1, 0})).code, RejectCode::kNotYourSeat);
+    EXPECT_EQ(watcher.refused(rematch_by(Seat{0})).code, RejectCode::kNotYourSeat);
     EXPECT_EQ(watcher.refused(TakeSeat{Seat{0}}).code, RejectCode::kSeatTaken);
 }
 

@@ -43,11 +43,21 @@ std::vector<ShotEvent> events_of(const std::vector<Frame>& frames) {
 
 }  // namespace
 
-ShotOutcome find_shot(const GameState& game, Verdict verdict) {
-    std::optional<ShotOutcome> best;
+MakeMove shot_by(Seat seat, Vec2 direction) {
+    Shoot move;
+    move.strike.direction = direction;
+    return {seat, move};
+}
+
+MakeMove rematch_by(Seat seat) {
+    return {seat, Agree{Accord::kRematch}};
+}
+
+PlayedShot find_shot(const GameState& game, Verdict verdict) {
+    std::optional<PlayedShot> best;
     for (int i = 0; i < kDirections; ++i) {
         const double angle = 2 * std::numbers::pi * i / kDirections;
-        ShotOutcome outcome = kEndGameRules.play(game, {{std::cos(angle), std::sin(angle)}});
+        PlayedShot outcome = test::shoot(kEndGameRules, game, {std::cos(angle), std::sin(angle)});
         if (outcome.ruling.verdict != verdict) continue;
         if (!best || outcome.trace.duration < best->trace.duration) best = std::move(outcome);
     }
@@ -55,24 +65,24 @@ ShotOutcome find_shot(const GameState& game, Verdict verdict) {
     return *std::move(best);
 }
 
-Shoot command_of(const ShotOutcome& outcome) {
-    return {outcome.ruling.shooter, outcome.scene.strike.value().direction};
+MakeMove command_of(const PlayedShot& outcome) {
+    return shot_by(outcome.ruling.shooter, outcome.scene.strike.value().direction);
 }
 
 Duel::Duel(std::uint16_t port, Encoding ann_speaks, Encoding bob_speaks,
-           const GameSettings& settings)
+           const MatchSettings& settings)
     : ann(port, ann_speaks),
       bob(port, bob_speaks),
       ann_joined(ann.enter(CreateMatch{"Ann", "end_game", Stream::kStates, settings})),
       bob_joined(bob.enter(JoinMatch{ann_joined.table.code, "Bob"})),
-      game(new_game(kEndGameRules, bob_joined.table.turn, settings)) {
+      game(new_game(kEndGameRules, bob_joined.table.state.turn, settings.game)) {
     EXPECT_EQ(bob_joined.table.phase, Phase::kAiming);
-    EXPECT_EQ(bob_joined.table.scene, game.scene);
+    EXPECT_EQ(bob_joined.table.state, game);
     ann.await_table([](const TableState& table) { return table.phase == Phase::kAiming; });
 }
 
-ShotOutcome Duel::play(Verdict verdict) {
-    ShotOutcome outcome = find_shot(game, verdict);
+PlayedShot Duel::play(Verdict verdict) {
+    PlayedShot outcome = find_shot(game, verdict);
     player(game.turn).send(command_of(outcome));
     expect_same_shot(ann.hear_shot(), outcome);
     expect_same_shot(bob.hear_shot(), outcome);
@@ -80,7 +90,7 @@ ShotOutcome Duel::play(Verdict verdict) {
     return outcome;
 }
 
-void expect_same_shot(const ShotHeard& heard, const ShotOutcome& outcome) {
+void expect_same_shot(const ShotHeard& heard, const PlayedShot& outcome) {
     EXPECT_EQ(heard.started.seat, outcome.ruling.shooter);
     EXPECT_EQ(heard.started.scene, outcome.scene);
     EXPECT_EQ(heard.started.scene_hash, hash_of(outcome.scene));
@@ -99,12 +109,12 @@ void expect_same_shot(const ShotHeard& heard, const ShotOutcome& outcome) {
     expect_table_after(ended.table, outcome);
 }
 
-void expect_table_after(const TableState& table, const ShotOutcome& outcome) {
-    EXPECT_EQ(table.scene, outcome.state.scene);
+void expect_table_after(const TableState& table, const PlayedShot& outcome) {
+    EXPECT_EQ(table.state, outcome.state);
+    EXPECT_EQ(table.legal, kEndGameRules.legal(outcome.state));
     EXPECT_EQ(table.phase, outcome.state.over ? Phase::kOver : Phase::kAiming);
-    EXPECT_EQ(table.turn, outcome.state.turn);
     EXPECT_EQ(table.ruling, outcome.ruling);
-    EXPECT_FALSE(table.may_place);
+    EXPECT_FALSE(table.cue.has_value());
     EXPECT_FALSE(table.live.has_value());
 }
 
