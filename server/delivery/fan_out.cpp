@@ -25,7 +25,7 @@ std::size_t index(Stream stream) {
 
 struct FanOut::Broadcast {
     std::shared_ptr<const ServerMessage> message;
-    std::array<std::shared_ptr<const std::string>, kEncodings> bytes;
+    PerEncoding<std::shared_ptr<const std::string>> bytes;
     Streams streams{};
 };
 
@@ -96,19 +96,19 @@ void FanOut::send(const ServerMessage& message, Stream stream) {
     send(message, one);
 }
 
-bool FanOut::is_wanted(std::size_t encoding, const Streams& streams) const {
-    for (std::size_t stream = 0; stream < kStreams; ++stream)
-        if (streams[stream] && counts_[stream][encoding] > 0) return true;
-    return false;
+bool FanOut::is_wanted(Encoding encoding, const Streams& streams) const {
+    return std::any_of(kValues<Stream>.begin(), kValues<Stream>.end(), [&](Stream stream) {
+        return streams[index(stream)] && counts_[index(stream)][index(encoding)] > 0;
+    });
 }
 
 void FanOut::send(const ServerMessage& message, const Streams& streams) {
     Broadcast broadcast{nullptr, {}, streams};
-    for (std::size_t encoding = 0; encoding < kEncodings; ++encoding) {
+    for (const Encoding encoding : kValues<Encoding>) {
         if (!is_wanted(encoding, streams)) continue;
         if (!broadcast.message) broadcast.message = std::make_shared<const ServerMessage>(message);
-        broadcast.bytes[encoding] =
-            std::make_shared<const std::string>(encode(message, static_cast<Encoding>(encoding)));
+        broadcast.bytes[index(encoding)] =
+            std::make_shared<const std::string>(encode(message, encoding));
     }
     if (broadcast.message) post(std::make_shared<const Broadcast>(std::move(broadcast)));
 }

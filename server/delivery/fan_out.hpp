@@ -34,9 +34,11 @@ class FanOut {
     void send(const protocol::ServerMessage& message, protocol::Stream stream);
 
   private:
-    static constexpr std::size_t kEncodings = 2;
-    static constexpr std::size_t kStreams = 2;
-    using Streams = std::array<bool, kStreams>;
+    template <class T>
+    using PerEncoding = std::array<T, kCount<protocol::Encoding>>;
+    template <class T>
+    using PerStream = std::array<T, kCount<protocol::Stream>>;
+    using Streams = PerStream<bool>;
 
     struct Follower {
         Member member;
@@ -54,14 +56,14 @@ class FanOut {
 
     struct Broadcast;
     void send(const protocol::ServerMessage& message, const Streams& streams);
-    [[nodiscard]] bool is_wanted(std::size_t encoding, const Streams& streams) const;
+    [[nodiscard]] bool is_wanted(protocol::Encoding encoding, const Streams& streams) const;
     void post(const std::shared_ptr<const Broadcast>& broadcast);
     Branch& branch_of(ShardId shard);
 
     Shards& shards_;
     std::map<MemberId, Follower> followers_;
     std::vector<Branch> branches_;
-    std::array<std::array<std::size_t, kEncodings>, kStreams> counts_{};
+    PerStream<PerEncoding<std::size_t>> counts_{};  ///< of followers
 };
 
 }  // namespace poolhall::server

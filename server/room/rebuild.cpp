@@ -52,7 +52,8 @@ class Rebuilder {
         const std::string move = "move " + std::to_string(table_->match.moves().size() + 1);
         if (record.shot && record.shot->shot != table_->match.now().shots + 1)
             return move + " is out of order";
-        // A clock that was set back between two servers does not undo a time-out.
+        // From when a clock ran is not logged; that it had run down is.
+        if (std::holds_alternative<TimeOut>(record.move)) table_->match.start_clock(0);
         const std::int64_t at =
             std::max(record.at_ms, table_->match.clock_ends_ms().value_or(record.at_ms));
         if (table_->match.find_fault(record.seat, record.move, at)) return move + " is not legal";

@@ -63,7 +63,7 @@ void Room::start_shot(MatchStep step, std::chrono::nanoseconds cpu) {
     keep_clock();
     services_.counters.shot_costs.add(playout.trace().solver, playout.trace().kernel, cpu);
     services_.counters.shots.fetch_add(1, std::memory_order_relaxed);
-    for (const Stream stream : {Stream::kStates, Stream::kShots})
+    for (const Stream stream : kValues<Stream>)
         followers_.send(playout.started(stream), stream);
     update_summary();
     playout_start_ = Clock::now();

@@ -43,7 +43,7 @@ Phase phase_of(const Table& table) {
 }
 
 bool clock_runs(const Table& table) {
-    return table.match.clock_ends_ms() && phase_of(table) == Phase::kAiming &&
+    return table.match.settings().shot_clock_s && phase_of(table) == Phase::kAiming &&
            table.roster.attended();
 }
 
@@ -66,10 +66,12 @@ protocol::SeatInfo seat_info(const Table& table, Seat seat) {
     return info;
 }
 
-std::uint32_t clock_left(const Match& match, std::int64_t now_ms) {
+/// ms; nothing where no clock runs.
+std::optional<std::uint32_t> clock_left(const Table& table, std::int64_t now_ms) {
+    const auto ends = table.match.clock_ends_ms();
+    if (!ends || !clock_runs(table)) return std::nullopt;
     constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
-    return static_cast<std::uint32_t>(
-        std::clamp<std::int64_t>(*match.clock_ends_ms() - now_ms, 0, kMost));
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(*ends - now_ms, 0, kMost));
 }
 
 }  // namespace
@@ -94,7 +96,7 @@ protocol::TableState state_of(const Table& table, std::int64_t now_ms) {
     state.cue = table.aim.cue;
     state.ruling = now.ruling;
     state.winner = now.winner;
-    if (clock_runs(table)) state.clock_left_ms = clock_left(table.match, now_ms);
+    state.clock_left_ms = clock_left(table, now_ms);
     if (table.playout) state.live = table.playout->live();
     return state;
 }

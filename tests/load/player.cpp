@@ -129,17 +129,18 @@ void Player::State::look_at(const TableState& seen) {
 void Player::State::act() {
     if (!playing || !table) return;
     for (const Seat seat : seats) {
-        const bool may_shoot = table->phase == Phase::kAiming && table->turn == seat;
+        const bool may_shoot = table->phase == Phase::kAiming && table->legal.seat == seat;
         if (may_shoot && shots_taken != table->shot + 1) {
             shots_taken = table->shot + 1;
             // Past the 8-ball's middle by a little more each time: some of these shots end the
             // game.
             const double side = 0.04 * static_cast<double>(table->shot % 21) - 0.4;
-            send(protocol::Shoot{seat, {table->aim.x, table->aim.y + side}});
+            const Vec2 direction{table->legal.aim.x, table->legal.aim.y + side};
+            send(protocol::MakeMove{seat, Shoot{Stroke{direction, {}}}});
         }
         if (table->phase == Phase::kOver && game_voted != table->game_number) {
             game_voted = table->game_number;
-            send(protocol::Rematch{seat});
+            send(protocol::MakeMove{seat, Agree{}});
         }
     }
 }

@@ -85,6 +85,11 @@ inline void flood_table(Client& player) {
     }
 }
 
+/// A shot as hard as the game has it.
+[[nodiscard]] inline protocol::MakeMove shoot(Seat seat, Vec2 direction = kSafeDirection) {
+    return {seat, Shoot{Stroke{direction, {}}}};
+}
+
 /// Two players at a table of a real server, in both encodings.
 struct Table {
     explicit Table(const RunningServer& server)
@@ -99,7 +104,7 @@ struct Table {
 
     /// The seat shoots, and everything of it is read by both players.
     protocol::ShotEnded play(Seat seat, Vec2 direction = kSafeDirection) {
-        const auto refused = players[seat.value].ask(protocol::Shoot{seat, direction});
+        const auto refused = players[seat.value].ask(shoot(seat, direction));
         if (refused) throw std::runtime_error("refused: " + refused->reason);
         players[1 - seat.value].expect<protocol::ShotEnded>();
         return players[seat.value].expect<protocol::ShotEnded>();

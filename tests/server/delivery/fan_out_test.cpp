@@ -88,7 +88,7 @@ TEST(FanOut, SpectatorWhoDoesNotReadHoldsNobodyUpAndMissesNoEvent) {
     flood_table(ada);
 
     const auto start = std::chrono::steady_clock::now();
-    ASSERT_FALSE(ada.ask(Shoot{Seat{0}, {1, 0.02}}));
+    ASSERT_FALSE(ada.ask(shoot(Seat{0}, {1, 0.02})));
     const Seen whole = watch_shot(ada);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     EXPECT_LT(took.count(), whole.events.back() + 1);
@@ -101,7 +101,7 @@ TEST(FanOut, SpectatorWhoDoesNotReadHoldsNobodyUpAndMissesNoEvent) {
 TEST(FanOut, LateSpectatorSeesTheRunningShot) {
     RunningServer server;
     Table table(server);
-    ASSERT_FALSE(table.players[0].ask(Shoot{Seat{0}, kSafeDirection}));
+    ASSERT_FALSE(table.players[0].ask(shoot(Seat{0}, kSafeDirection)));
     table.players[0].expect<Frame>();
     Client spectator(server.json());
     spectator.send(WatchMatch{table.code(), ""});

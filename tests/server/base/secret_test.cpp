@@ -2,7 +2,6 @@
 
 #include "protocol/limits.hpp"
 #include "protocol/text.hpp"
-#include "server/base/log_text.hpp"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -36,12 +35,6 @@ TEST(Secret, HashIsSha256) {
     EXPECT_TRUE(same_token(hash_token("abc"), hash_token("abc")));
     EXPECT_FALSE(same_token(hash_token("abc"), hash_token("abd")));
     EXPECT_FALSE(same_token(hash_token("abc"), ""));
-}
-
-TEST(LogText, NameCannotForgeALine) {
-    EXPECT_EQ(in_quotes("Ada"), "\"Ada\"");
-    EXPECT_EQ(in_quotes("a\nb\x1b[2J\"\\"), "\"a\\x0ab\\x1b[2J\\\"\\\\\"");
-    EXPECT_EQ(in_quotes("\xe2\x80\xae"), "\"\\xe2\\x80\\xae\"");
 }
 
 }  // namespace

@@ -67,18 +67,22 @@ TEST(Session, BadCommandsAreRejectedAndTheMatchGoesOn) {
     };
     EXPECT_EQ(code("nonsense"), "malformed");
     EXPECT_EQ(code(R"({"type":"fly","seq":100})"), "unknown_type");
-    EXPECT_EQ(code(R"({"type":"shoot","seq":101,"seat":0})"), "missing_field");
+    EXPECT_EQ(code(R"({"type":"move","seq":101,"seat":0})"), "missing_field");
     EXPECT_EQ(code(R"({"type":"ping","seq":102,"x":1})"), "unknown_field");
-    EXPECT_EQ(code(R"({"type":"shoot","seq":103,"seat":0,"direction":[1e9,0]})"), "bad_field");
-    EXPECT_EQ(code(R"({"type":"shoot","seq":104,"seat":0,"direction":[0,0]})"), "bad_field");
+    EXPECT_EQ(code(R"({"type":"aim","seq":103,"seat":0,"direction":[1e9,0]})"), "bad_field");
+    EXPECT_EQ(code(R"({"type":"aim","seq":104,"seat":0,"direction":[0,0]})"), "bad_field");
     EXPECT_EQ(code(R"({"type":"ping","seq":1})"), "stale_seq");
-    EXPECT_EQ(code(R"({"type":"shoot","seq":105,"seat":1,"direction":[1,0]})"), "not_your_seat");
+    EXPECT_EQ(code(R"({"type":"move","seq":105,"seat":1,"move":{"type":"concede"}})"),
+              "not_your_seat");
     EXPECT_EQ(code(R"({"type":"create_match","seq":106,"name":"x"})"), "already_in_match");
-    EXPECT_EQ(code(R"({"type":"rematch","seq":107,"seat":0})"), "wrong_phase");
-    EXPECT_EQ(table.players[1].ask(Shoot{Seat{1}, {1, 0}})->code, RejectCode::kNotYourTurn);
+    EXPECT_EQ(
+        code(R"({"type":"move","seq":107,"seat":0,"move":{"type":"agree","what":"rematch"}})"),
+        "wrong_phase");
+    EXPECT_EQ(code(R"({"type":"move","seq":108,"seat":0,"move":{"type":"time_out"}})"), "illegal");
+    EXPECT_EQ(table.players[1].ask(shoot(Seat{1}, {1, 0}))->code, RejectCode::kNotYourTurn);
 
     Client stranger(server.json());
-    EXPECT_EQ(stranger.ask(Shoot{Seat{0}, {1, 0}})->code, RejectCode::kNotInMatch);
+    EXPECT_EQ(stranger.ask(shoot(Seat{0}, {1, 0}))->code, RejectCode::kNotInMatch);
     EXPECT_EQ(stranger.ask(JoinMatch{"ZZZZZZ", "x"})->code, RejectCode::kUnknownMatch);
     EXPECT_EQ(stranger.ask(Resume{table.code(), std::string(32, '0')})->code,
               RejectCode::kBadToken);
@@ -89,7 +93,9 @@ TEST(Session, BadCommandsAreRejectedAndTheMatchGoesOn) {
     after.spectators = before.spectators;
     EXPECT_EQ(after, before);
 
-    ada.send_raw(R"({"type":"shoot","seq":200,"seat":0,"direction":[-0.3875,0.3599]})", true);
+    ada.send_raw(R"({"type":"move","seq":200,"seat":0,)"
+                 R"("move":{"type":"shoot","strike":{"direction":[-0.3875,0.3599]}}})",
+                 true);
     EXPECT_EQ(ada.expect<Accepted>().seq, 200U);
     EXPECT_EQ(ada.expect<ShotEnded>().shot, 1U);
 }
@@ -127,11 +133,11 @@ TEST(Session, UnfitSettingsBeginNoMatch) {
     EXPECT_EQ(http_get(server.address(), "/api/matches").body.find("end_game"), std::string::npos);
 
     Client ben(server.cbor());
-    GameSettings unfit;
-    unfit.effects.emplace().sliding = SlidingSpec{};
+    MatchSettings unfit;
+    unfit.game.effects.emplace().sliding = SlidingSpec{};
     EXPECT_EQ(ben.ask(CreateMatch{"Ben", "end_game", {}, unfit})->code, RejectCode::kBadField);
-    ben.send(CreateMatch{"Ben", "end_game", {}, poolhall::test::pool_settings()});
-    EXPECT_EQ(ben.expect<Joined>().table.scene.solver.kind, SolverKind::kEvent);
+    ben.send(CreateMatch{"Ben", "end_game", {}, MatchSettings{poolhall::test::pool_settings()}});
+    EXPECT_EQ(ben.expect<Joined>().table.state.scene.solver.kind, SolverKind::kEvent);
 }
 
 TEST(Session, PlayerWhoDoesNotReadIsDroppedAndKeepsTheSeat) {

@@ -13,9 +13,10 @@ namespace {
 
 using protocol::Frame;
 
-Playout playout() {
-    const GameState state = kEndGameRules.new_game(Seat{0});
-    return {1, kEndGameRules.play(state, {{1, 0.01}}), {}};
+/// The first shot of a game.
+Playout playout(Vec2 direction = {1, 0.01}, const GameSettings& settings = {}) {
+    const Match match({&kEndGameRules, Seat{0}, {settings}});
+    return {match.play(Seat{0}, Shoot{Stroke{direction, {}}}, 0), {}};
 }
 
 std::vector<double> times(const std::vector<ShotEvent>& events) {
@@ -35,14 +36,13 @@ TEST(Playout, EveryEventFallsInTheFrameOfItsTick) {
         seen.insert(seen.end(), frame.events.begin(), frame.events.end());
     }
     EXPECT_TRUE(playout.finished());
-    EXPECT_EQ(times(seen), times(playout.outcome().trace.events));
+    EXPECT_EQ(times(seen), times(playout.trace().events));
 }
 
 /// Plays a shot of real pool and shows it tick by tick.
 void expect_whole_playout(const SolverSpec& solver) {
-    const GameState state = new_game(kEndGameRules, Seat{0}, poolhall::test::pool_settings(solver));
-    Playout playout(1, kEndGameRules.play(state, {{1, 0.03}}), {});
-    const ShotTrace& trace = playout.outcome().trace;
+    Playout playout = server::playout({1, 0.03}, poolhall::test::pool_settings(solver));
+    const ShotTrace& trace = playout.trace();
     std::vector<Vec2> shown{xy(trace.sample(0, 0)), xy(trace.sample(0, 1))};
     std::vector<double> seen;
     for (std::uint32_t tick = 1; tick <= playout.last_tick(); ++tick) {
@@ -77,12 +77,14 @@ TEST(Playout, ShotThatIsOverAtOnceIsShownForATick) {
     GameState state = new_game(kEndGameRules, Seat{0}, settings);
     const double edge = inset(state.scene.table, state.scene.ball.radius).x;
     set_xy(state.scene.balls[0].state.r, {-edge, 0.2});
-    Playout playout(1, kEndGameRules.play(state, {{-1, 0}}), {});
-    ASSERT_EQ(playout.outcome().trace.duration, 0);
+    const Move move = completed(kEndGameRules.legal(state), Shoot{Stroke{{-1, 0}, {}}});
+    const Match match({&kEndGameRules, Seat{0}, {settings}});
+    Playout playout(match.recorded({Seat{0}, move}, kEndGameRules.play(state, move)), {});
+    ASSERT_EQ(playout.trace().duration, 0);
     ASSERT_EQ(playout.last_tick(), 1U);
     EXPECT_EQ(playout.live().balls.size(), 2U);
     const Frame frame = playout.advance(1);
-    EXPECT_EQ(times(frame.events), times(playout.outcome().trace.events));
+    EXPECT_EQ(times(frame.events), times(playout.trace().events));
     EXPECT_TRUE(frame.balls.empty());
     EXPECT_TRUE(playout.finished());
 }
@@ -105,26 +107,13 @@ TEST(Playout, FrameHasOnlyTheBallsThatMoved) {
     Playout playout = server::playout();
     const Frame first = playout.advance(1);
     ASSERT_EQ(first.balls.size(), 1U) << "the 8-ball has not been hit yet";
-    EXPECT_EQ(first.balls.front().r,
-              xy(playout.outcome().trace.sample(1, first.balls.front().ball.value)));
+    EXPECT_EQ(first.balls.front().r, xy(playout.trace().sample(1, first.balls.front().ball.value)));
 }
 
 TEST(Playout, SkippedTicksLoseNoEvent) {
     Playout playout = server::playout();
     const Frame all = playout.advance(playout.last_tick());
-    EXPECT_EQ(all.events.size(), playout.outcome().trace.events.size());
-}
-
-TEST(Playout, MergedFramesEqualASkippedTick) {
-    Playout whole = playout();
-    Playout split = playout();
-    const std::uint32_t half = whole.last_tick() / 2;
-    const Frame expected = whole.advance(half + 5);
-    const Frame early = split.advance(half);
-    const Frame merged = merge(early, split.advance(half + 5));
-    EXPECT_EQ(merged.tick, expected.tick);
-    EXPECT_EQ(times(merged.events), times(expected.events));
-    EXPECT_EQ(merged.balls.size(), expected.balls.size());
+    EXPECT_EQ(all.events.size(), playout.trace().events.size());
 }
 
 TEST(Playout, LateComerSeesWhereTheBallsAre) {
@@ -133,7 +122,7 @@ TEST(Playout, LateComerSeesWhereTheBallsAre) {
     const protocol::LiveShot live = playout.live();
     EXPECT_EQ(live.tick, 7U);
     ASSERT_EQ(live.balls.size(), 2U);
-    EXPECT_EQ(live.balls[0], xy(playout.outcome().trace.sample(7, 0)));
+    EXPECT_EQ(live.balls[0], xy(playout.trace().sample(7, 0)));
 }
 
 }  // namespace

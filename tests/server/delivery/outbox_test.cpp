@@ -1,14 +1,11 @@
 #include "server/delivery/outbox.hpp"
 
-#include "server/session/rate_credit.hpp"
-
 #include <gtest/gtest.h>
 
 namespace poolhall::server {
 namespace {
 
 using namespace protocol;
-using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Outbox::Clock::time_point kNow{};
@@ -137,19 +134,6 @@ TEST(Outbox, RefusesWhenNothingIsReadAtAll) {
     for (std::size_t i = 0; i < Outbox::kLimit; ++i)
         ASSERT_TRUE(outbox.push(parcel(Pong{1}), kNow));
     EXPECT_FALSE(outbox.push(parcel(Pong{1}), kNow));
-}
-
-TEST(RateCredit, AllowsABurstAndThenASteadyRate) {
-    RateCredit credit(kNow);
-    for (int i = 0; i < 120; ++i)
-        EXPECT_TRUE(credit.spend(kNow)) << i;
-    EXPECT_FALSE(credit.spend(kNow));
-    auto now = kNow + seconds(1);
-    for (int i = 0; i < 60; ++i)
-        EXPECT_TRUE(credit.spend(now)) << i;
-    EXPECT_FALSE(credit.spend(now));
-    for (int i = 0; i < 600; ++i)
-        EXPECT_TRUE(credit.spend(now += milliseconds(17))) << i;
 }
 
 }  // namespace

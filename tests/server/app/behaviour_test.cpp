@@ -13,9 +13,9 @@ TEST(Behaviour, PlayersTakeTurns) {
     RunningServer server;
     Table table(server);
     const ShotEnded ended = table.play(Seat{0});
-    EXPECT_EQ(ended.table.turn, Seat{1});
-    EXPECT_EQ(table.players[0].ask(Shoot{Seat{0}, kSafeDirection})->code, RejectCode::kNotYourTurn);
-    EXPECT_FALSE(table.players[1].ask(Shoot{Seat{1}, kSafeDirection}));
+    EXPECT_EQ(ended.table.legal.seat, Seat{1});
+    EXPECT_EQ(table.players[0].ask(shoot(Seat{0}, kSafeDirection))->code, RejectCode::kNotYourTurn);
+    EXPECT_FALSE(table.players[1].ask(shoot(Seat{1}, kSafeDirection)));
 }
 
 TEST(Behaviour, OnePersonCanPlayBothSeats) {
@@ -24,9 +24,9 @@ TEST(Behaviour, OnePersonCanPlayBothSeats) {
     ada.send(CreateMatch{"Ada"});
     const Joined joined = ada.expect<Joined>();
     ASSERT_FALSE(ada.ask(TakeSeat{Seat{1}}));
-    ASSERT_FALSE(ada.ask(Shoot{Seat{0}, kSafeDirection}));
+    ASSERT_FALSE(ada.ask(shoot(Seat{0}, kSafeDirection)));
     ada.expect<ShotEnded>();
-    ASSERT_FALSE(ada.ask(Shoot{Seat{1}, kSafeDirection}));
+    ASSERT_FALSE(ada.ask(shoot(Seat{1}, kSafeDirection)));
     ada.drop();
     Client again(server.json());
     again.send(Resume{joined.table.code, joined.token});
@@ -52,7 +52,7 @@ TEST(Behaviour, SpectatorWhoTakesASeatGetsAToken) {
 TEST(Behaviour, PlayerComesBackInMidShot) {
     RunningServer server;
     Table table(server);
-    ASSERT_FALSE(table.players[0].ask(Shoot{Seat{0}, kSafeDirection}));
+    ASSERT_FALSE(table.players[0].ask(shoot(Seat{0}, kSafeDirection)));
     table.players[0].drop();
     Client again(server.json());
     again.send(Resume{table.code(), table.joined[0].token});
@@ -71,7 +71,7 @@ TEST(Behaviour, NewerConnectionReplacesTheOlder) {
     EXPECT_NE(table.players[0].expect<Closing>().reason.find("another connection"),
               std::string::npos);
     EXPECT_EQ(table.players[0].wait_closed().code, 1008);
-    EXPECT_FALSE(newer.ask(Shoot{Seat{0}, kSafeDirection}));
+    EXPECT_FALSE(newer.ask(shoot(Seat{0}, kSafeDirection)));
 }
 
 TEST(Behaviour, SeatThatIsLeftCanBeJoined) {
@@ -83,21 +83,21 @@ TEST(Behaviour, SeatThatIsLeftCanBeJoined) {
     const Joined joined = cy.expect<Joined>();
     EXPECT_EQ(joined.seats, std::vector<Seat>{Seat{1}});
     EXPECT_EQ(joined.table.phase, Phase::kAiming);
-    EXPECT_FALSE(table.players[0].ask(Shoot{Seat{0}, kSafeDirection}));
+    EXPECT_FALSE(table.players[0].ask(shoot(Seat{0}, kSafeDirection)));
 }
 
 TEST(Behaviour, RematchBeginsWhenBothWantIt) {
     RunningServer server;
     Table table(server);
     EXPECT_EQ(table.play(Seat{0}, kScratchDirection).ruling.verdict, Verdict::kScratch);
-    ASSERT_FALSE(table.players[0].ask(Rematch{Seat{0}}));
+    ASSERT_FALSE(table.players[0].ask(MakeMove{Seat{0}, Agree{}}));
     EXPECT_TRUE(table.players[1].expect<TableChanged>().table.seats[0].wants_rematch);
-    ASSERT_FALSE(table.players[1].ask(Rematch{Seat{1}}));
+    ASSERT_FALSE(table.players[1].ask(MakeMove{Seat{1}, Agree{}}));
     TableState begun = table.players[0].expect<TableChanged>().table;
     while (begun.phase == Phase::kOver)
         begun = table.players[0].expect<TableChanged>().table;
     EXPECT_EQ(begun.game_number, 2U);
-    EXPECT_EQ(begun.turn, Seat{1});
+    EXPECT_EQ(begun.legal.seat, Seat{1});
     EXPECT_EQ(begun.phase, Phase::kAiming);
 }
 
@@ -118,10 +118,10 @@ TEST(Behaviour, MatchGoesOnAfterARestart) {
         players[i].send(Resume{code, tokens[i]});
         const Joined joined = players[i].expect<Joined>();
         EXPECT_EQ(joined.seats, std::vector<Seat>{Seat{static_cast<std::uint8_t>(i)}});
-        EXPECT_EQ(joined.table.scene, before.scene);
-        EXPECT_EQ(joined.table.turn, before.turn);
+        EXPECT_EQ(joined.table.state.scene, before.state.scene);
+        EXPECT_EQ(joined.table.legal.seat, before.legal.seat);
     }
-    EXPECT_FALSE(players[1].ask(Shoot{Seat{1}, kSafeDirection}));
+    EXPECT_FALSE(players[1].ask(shoot(Seat{1}, kSafeDirection)));
 }
 
 TEST(Behaviour, NothingIsLeftOfSessionsAndMatches) {
@@ -134,7 +134,7 @@ TEST(Behaviour, NothingIsLeftOfSessionsAndMatches) {
         Client spectator(server.json());
         spectator.send(WatchMatch{table.code(), ""});
         spectator.expect<Joined>();
-        ASSERT_FALSE(table.players[0].ask(Shoot{Seat{0}, kSafeDirection}));
+        ASSERT_FALSE(table.players[0].ask(shoot(Seat{0}, kSafeDirection)));
         if (round == 0) table.players[0].drop();
         if (round == 1) table.players[0].close();
         // Round 2: all of them are dropped in mid-shot.
@@ -193,7 +193,7 @@ TEST(Behaviour, ShotThatCannotBeStoredIsNotPlayed) {
     Table table(server);
     {
         const FullDisk full;
-        EXPECT_EQ(table.players[0].ask(Shoot{Seat{0}, kSafeDirection})->code, RejectCode::kStorage);
+        EXPECT_EQ(table.players[0].ask(shoot(Seat{0}, kSafeDirection))->code, RejectCode::kStorage);
         Client other(server.json());
         EXPECT_EQ(other.ask(CreateMatch{"Cy"})->code, RejectCode::kStorage);
     }
@@ -209,7 +209,7 @@ TEST(Behaviour, ShotThatCannotBeStoredIsNotPlayed) {
 TEST(Behaviour, DrainTellsEverySessionWhy) {
     RunningServer server;
     Table table(server);
-    ASSERT_FALSE(table.players[0].ask(Shoot{Seat{0}, kSafeDirection}));
+    ASSERT_FALSE(table.players[0].ask(shoot(Seat{0}, kSafeDirection)));
     std::thread drain([&] { server.server().drain(); });
     EXPECT_EQ(table.players[0].expect<Closing>().reason, "The server is shutting down.");
     EXPECT_EQ(table.players[0].wait_closed().code, 1001);
