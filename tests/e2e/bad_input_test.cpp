@@ -145,13 +145,13 @@ TEST_F(BadInput, StrangerIsToldWhatIsWrong) {
 }
 
 TEST_F(BadInput, ConnectionThatBreaksTheTransportIsClosedAsTheRfcAsks) {
-    struct Case {
+    struct Offence {
         std::string what;
         std::uint16_t code;
         void (*offend)(WebSocket& socket);
     };
 
-    const std::vector<Case> cases{
+    const std::vector<Offence> cases{
         {"binary on JSON", 1003, [](WebSocket& socket) { socket.send("{}", false); }},
         {"not UTF-8", 1007, [](WebSocket& socket) { socket.send("\"\xff\xfe\"", true); }},
         {"oversized", 1009,
@@ -162,7 +162,7 @@ TEST_F(BadInput, ConnectionThatBreaksTheTransportIsClosedAsTheRfcAsks) {
          [](WebSocket& socket) { socket.send_raw(std::string("\x83\x80\0\0\0\0", 6)); }},
         {"an unmasked frame", 1002, [](WebSocket& socket) { socket.send_raw("\x81\x02{}"); }},
     };
-    for (const Case& each : cases) {
+    for (const Offence& each : cases) {
         ProtocolClient offender(server.port(), Encoding::kJson);
         each.offend(offender.socket());
         EXPECT_EQ(offender.socket().await_end(kPatience).code, each.code) << each.what;
