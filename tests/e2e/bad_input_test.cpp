@@ -24,6 +24,20 @@ class BadInput : public testing::Test {
         return duel.ann.await<Reject>();
     }
 
+    struct Case {
+        std::string text;
+        RejectCode code;
+    };
+
+    /// Fewer in a row than close the session.
+    void expect_rejects(const std::vector<Case>& cases) {
+        for (const Case& each : cases) {
+            const Reject reject = answer(each.text);
+            EXPECT_EQ(name(reject.code), name(each.code)) << each.text.substr(0, 80);
+            EXPECT_FALSE(reject.reason.empty()) << each.text.substr(0, 80);
+        }
+    }
+
     /// The table is as it was, and the game can be played to its end.
     void TearDown() override {
         ProtocolClient watcher(server.port(), Encoding::kJson);
@@ -41,16 +55,7 @@ class BadInput : public testing::Test {
 };
 
 TEST_F(BadInput, MessageThatIsNoneIsRejectedWithItsCode) {
-    struct Case {
-        std::string text;
-        RejectCode code;
-    };
-
-    const std::string move = R"({"type":"move","seq":900,"seat":0,"move":)";
-    const auto shot = [&](const std::string& direction) {
-        return move + R"({"type":"shoot","strike":{"direction":)" + direction + "}}}";
-    };
-    const std::vector<Case> cases{
+    expect_rejects({
         {"{", RejectCode::kMalformed},
         {"", RejectCode::kMalformed},
         {"[1,2,3]", RejectCode::kMalformed},
@@ -59,26 +64,34 @@ TEST_F(BadInput, MessageThatIsNoneIsRejectedWithItsCode) {
         {R"({"type":"teleport","seq":900})", RejectCode::kUnknownType},
         {R"({"type":"shoot","seq":900,"seat":0})", RejectCode::kUnknownType},
         {R"({"type":"move","seq":900,"seat":0})", RejectCode::kMissingField},
-        {move + R"({"type":"shoot"}})", RejectCode::kMissingField},
-        {move + R"({"type":"dance"}})", RejectCode::kUnknownType},
-        {move + R"({"type":"concede","why":1}})", RejectCode::kUnknownField},
-        {move + R"({"type":"agree","what":"draw"}})", RejectCode::kBadField},
         {R"({"type":"ping","seq":900,"extra":1})", RejectCode::kUnknownField},
+        {R"({"type":"move","seq":900,"seat":2,"move":{"type":"concede"}})", RejectCode::kBadField},
+        {R"({"type":"ping","seq":-1})", RejectCode::kBadField},
+        {R"({"type":"ping","seq":1.5})", RejectCode::kBadField},
+    });
+}
+
+TEST_F(BadInput, MoveThatIsNoneIsRejectedWithItsCode) {
+    const auto move = [](const std::string& text) {
+        return R"({"type":"move","seq":900,"seat":0,"move":)" + text + "}";
+    };
+    const auto shot = [&](const std::string& direction) {
+        return move(R"({"type":"shoot","strike":{"direction":)" + direction + "}}");
+    };
+    expect_rejects({
+        {move("null"), RejectCode::kBadField},
+        {move("{}"), RejectCode::kMissingField},
+        {move(R"({"type":"shoot"})"), RejectCode::kMissingField},
+        {move(R"({"type":"dance"})"), RejectCode::kUnknownType},
+        {move(R"({"type":"concede","why":1})"), RejectCode::kUnknownField},
+        {move(R"({"type":"agree","what":"draw"})"), RejectCode::kBadField},
         {shot("[0,0]"), RejectCode::kBadField},
         {shot("[1e7,0]"), RejectCode::kBadField},
         {shot(R"(["1",0])"), RejectCode::kBadField},
         {shot("[1,0,0]"), RejectCode::kBadField},
         {shot("[1e999,0]"), RejectCode::kBadField},
         {shot("[NaN,0]"), RejectCode::kMalformed},
-        {R"({"type":"move","seq":900,"seat":2,"move":{"type":"concede"}})", RejectCode::kBadField},
-        {R"({"type":"ping","seq":-1})", RejectCode::kBadField},
-        {R"({"type":"ping","seq":1.5})", RejectCode::kBadField},
-    };
-    for (const Case& each : cases) {
-        const Reject reject = answer(each.text);
-        EXPECT_EQ(name(reject.code), name(each.code)) << each.text.substr(0, 80);
-        EXPECT_FALSE(reject.reason.empty()) << each.text.substr(0, 80);
-    }
+    });
 }
 
 TEST_F(BadInput, NotANumberInCborIsRejected) {
@@ -132,13 +145,13 @@ TEST_F(BadInput, StrangerIsToldWhatIsWrong) {
 }
 
 TEST_F(BadInput, ConnectionThatBreaksTheTransportIsClosedAsTheRfcAsks) {
-    struct Case {
+    struct Offence {
         std::string what;
         std::uint16_t code;
         void (*offend)(WebSocket& socket);
     };
 
-    const std::vector<Case> cases{
+    const std::vector<Offence> cases{
         {"binary on JSON", 1003, [](WebSocket& socket) { socket.send("{}", false); }},
         {"not UTF-8", 1007, [](WebSocket& socket) { socket.send("\"\xff\xfe\"", true); }},
         {"oversized", 1009,
@@ -149,7 +162,7 @@ TEST_F(BadInput, ConnectionThatBreaksTheTransportIsClosedAsTheRfcAsks) {
          [](WebSocket& socket) { socket.send_raw(std::string("\x83\x80\0\0\0\0", 6)); }},
         {"an unmasked frame", 1002, [](WebSocket& socket) { socket.send_raw("\x81\x02{}"); }},
     };
-    for (const Case& each : cases) {
+    for (const Offence& each : cases) {
         ProtocolClient offender(server.port(), Encoding::kJson);
         each.offend(offender.socket());
         EXPECT_EQ(offender.socket().await_end(kPatience).code, each.code) << each.what;
