@@ -16,17 +16,21 @@ bool within(Real x, Real low, Real high) {
     return x >= low && x <= high;
 }
 
+MaybeFault fault(std::string_view field, Illegal code) {
+    return IllegalMove{code, field};
+}
+
 MaybeFault check_stroke(const StrokeBounds& bounds, const Stroke& stroke) {
     const auto [x, y] = stroke.direction;
     if (!std::isfinite(x) || !std::isfinite(y) || (x == 0 && y == 0))
-        return IllegalMove{Illegal::kBadDirection, "/strike/direction"};
+        return fault("/strike/direction", Illegal::kBadDirection);
     if (stroke.speed && !within(*stroke.speed, bounds.min_speed, bounds.max_speed))
-        return IllegalMove{Illegal::kOutOfBounds, "/strike/speed"};
+        return fault("/strike/speed", Illegal::kOutOfBounds);
     const Real square = dot(stroke.offset, stroke.offset);
     if (!within(square, 0, bounds.max_offset * bounds.max_offset))
-        return IllegalMove{Illegal::kOutOfBounds, "/strike/offset"};
+        return fault("/strike/offset", Illegal::kOutOfBounds);
     if (!within(stroke.elevation, 0, bounds.max_elevation))
-        return IllegalMove{Illegal::kOutOfBounds, "/strike/elevation"};
+        return fault("/strike/elevation", Illegal::kOutOfBounds);
     return std::nullopt;
 }
 
@@ -34,16 +38,16 @@ struct FaultFinder {
     const Legal& legal;
 
     MaybeFault operator()(const Shoot& move) const {
-        if (!legal.shoot) return IllegalMove{Illegal::kNotOffered, ""};
+        if (!legal.shoot) return fault("", Illegal::kNotOffered);
         return check_stroke(*legal.shoot, move.strike);
     }
 
     MaybeFault operator()(const Place& move) const {
-        if (!legal.place) return IllegalMove{Illegal::kNotOffered, ""};
+        if (!legal.place) return fault("", Illegal::kNotOffered);
         const Vec2 off = nearest_place(*legal.place, move.position) - move.position;
         if (std::abs(off.x) <= kPlaceTolerance && std::abs(off.y) <= kPlaceTolerance)
             return std::nullopt;
-        return IllegalMove{Illegal::kOutOfRegion, "/position"};
+        return fault("/position", Illegal::kOutOfRegion);
     }
 
     /// Whether they may be made is a matter of the match.
