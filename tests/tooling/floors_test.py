@@ -7,7 +7,7 @@ from sources import CPP, LAYERS, ROOT, files, includes, planted
 
 # From top to bottom. A folder that stands here before it has a file is none yet; one that has files has to stand here.
 FLOORS = {
-    "protocol": [{"archive"}, {"replay"}, {".", "intake", "wire"}],
+    "protocol": [{"archive"}, {"replay"}, {"intake"}, {"codec"}, {"wire"}, {"."}],
     "server": [{"."}, {"app"}, {"http"}, {"session"}, {"room"}, {"delivery"}, {"config", "store", "net"}, {"base"}],
     "client/desktop": [{"."}, {"app"}, {"screens"}, {"view"}, {"render", "audio", "net"}],
 }
