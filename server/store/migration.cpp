@@ -102,7 +102,7 @@ void keep_copy(SQLite::Database& database, const path& file) {
     const path name = copy_name(file, version, part.name());
     std::filesystem::rename(part.name(), name, error);
     if (error) fail(name, error.message());
-    make_durable(file.parent_path());
+    make_durable(file.parent_path() / ".");
 }
 
 }  // namespace

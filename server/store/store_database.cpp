@@ -37,8 +37,7 @@ void set_durability(SQLite::Database& database, const std::filesystem::path& pat
 /// not at the first shot.
 void prove_writable(SQLite::Database& database) {
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    const int version = database.execAndGet("PRAGMA user_version").getInt();
-    database.exec("PRAGMA user_version = " + std::to_string(version));
+    database.exec("PRAGMA user_version = " + std::to_string(protocol::kDatabaseVersion));
     transaction.commit();
 }
 
@@ -77,8 +76,8 @@ void StoreDatabase::prepare() {
     check_for_damage(database_, path_);
     set_durability(database_, path_);
     if (state == DatabaseState::kEmpty) protocol::create_tables(database_);
-    prove_writable(database_);
     if (state == DatabaseState::kOlder) migrate(database_, path_);
+    prove_writable(database_);
 }
 
 StoreDatabase::~StoreDatabase() {
