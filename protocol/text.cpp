@@ -83,22 +83,47 @@ Bits bits_of(std::string_view digits) {
     return result;
 }
 
-/// Whether a double has all the bits of a C hex-float ("1.8p-1", without its 0x), whose size it can
-/// hold.
-bool holds_all_bits(std::string_view number) {
+bool is_hex_digit(char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
+
+/// Hex digits, of which there is one at least, and at most one point.
+bool are_digits(std::string_view text) {
+    const auto points = std::count(text.begin(), text.end(), '.');
+    const auto digits = std::count_if(text.begin(), text.end(), is_hex_digit);
+    return digits > 0 && points <= 1 && points + digits == std::ssize(text);
+}
+
+/// What stands behind the p; nothing if it is no whole number.
+std::optional<std::int64_t> exponent_of(std::string_view text) {
+    if (text.starts_with("+-")) return std::nullopt;
+    if (text.starts_with('+')) text.remove_prefix(1);
+    std::int64_t exponent = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, exponent);
+    constexpr std::int64_t kFarOut = 1'000'000;
+    const bool good = error == std::errc{} && stop == end && std::abs(exponent) <= kFarOut;
+    return good ? std::optional(exponent) : std::nullopt;
+}
+
+/// The double of these bits, the last of them before the point, times 2^exponent; nothing if no
+/// double is that number.
+std::optional<double> double_of(const Bits& digits, std::int64_t exponent) {
     constexpr std::size_t kMantissaBits = 53;
     constexpr std::int64_t kLeastExponent = -1074;
-    const std::size_t mark = std::min(number.find_first_of("pP"), number.size());
-    const auto [bits, before_point] = bits_of(number.substr(0, mark));
-    const std::size_t first = bits.find('1');
-    if (first == std::string::npos) return true;
-    const std::size_t last = bits.rfind('1');
-    std::string_view exponent = number.substr(std::min(mark + 1, number.size()));
-    if (exponent.starts_with('+')) exponent.remove_prefix(1);
-    std::int64_t power = 0;
-    std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
-    power += static_cast<std::int64_t>(before_point) - 1 - static_cast<std::int64_t>(last);
-    return last - first < kMantissaBits && power >= kLeastExponent;
+    constexpr std::int64_t kLargestExponent = 1023;
+    const std::size_t first = digits.bits.find('1');
+    if (first == std::string::npos) return 0.0;
+    const std::size_t last = digits.bits.rfind('1');
+    if (last - first >= kMantissaBits) return std::nullopt;
+    const auto power = exponent + static_cast<std::int64_t>(digits.before_point) - 1 -
+                       static_cast<std::int64_t>(last);
+    const auto top = power + static_cast<std::int64_t>(last - first);
+    if (power < kLeastExponent || top > kLargestExponent) return std::nullopt;
+    double mantissa = 0;
+    for (std::size_t i = first; i <= last; ++i)
+        mantissa = 2 * mantissa + (digits.bits[i] == '1' ? 1 : 0);
+    return std::ldexp(mantissa, static_cast<int>(power));
 }
 
 char upper(char c) {
@@ -152,16 +177,14 @@ std::optional<double> parse_hex_float(std::string_view text) {
     if (negative || text.starts_with('+')) text.remove_prefix(1);
     if (!text.starts_with("0x") && !text.starts_with("0X")) return std::nullopt;
     text.remove_prefix(2);
-    // from_chars also knows "inf", "nan" and a sign; a C hex-float has none of them after its 0x.
-    if (text.find_first_not_of("0123456789abcdefABCDEF.pP+-") != std::string_view::npos)
-        return std::nullopt;
-    if (text.starts_with('-')) return std::nullopt;
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value, std::chars_format::hex);
-    if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-    if (!holds_all_bits(text)) return std::nullopt;
-    return negative ? -value : value;
+    // Not by std::from_chars: libc++ has none for doubles.
+    const std::size_t mark = std::min(text.find_first_of("pP"), text.size());
+    if (!are_digits(text.substr(0, mark))) return std::nullopt;
+    const auto exponent =
+        mark == text.size() ? std::optional<std::int64_t>(0) : exponent_of(text.substr(mark + 1));
+    if (!exponent) return std::nullopt;
+    const auto value = double_of(bits_of(text.substr(0, mark)), *exponent);
+    return value && negative ? -*value : value;
 }
 
 std::string to_hex_float(double number) {
