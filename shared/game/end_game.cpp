@@ -162,4 +162,8 @@ Ruling end_game::rule(const GameState& state, const ShotTrace& trace) {
 
 constinit const Ruleset kEndGameRules{EndGamePart::kType, new_game, legal, play};
 
+const Ruleset& EndGamePart::rules() {
+    return kEndGameRules;
+}
+
 }  // namespace poolhall

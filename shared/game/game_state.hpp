@@ -13,7 +13,8 @@
 
 namespace poolhall {
 
-/// What each game keeps besides what all have. Alternatives are named by kType, the game's name.
+/// The list of games, each by what it keeps besides what all have: kType is its name, rules() are
+/// its rules. Hashes know a game by its place: new ones go to the end.
 using GamePart = std::variant<EndGamePart>;
 
 /// A game between two moves, whole: everything at rest. With the match's settings it is all that

@@ -1,13 +1,22 @@
 #include "shared/game/ruleset.hpp"
 
-#include "shared/game/end_game.hpp"
-
 #include <array>
+#include <type_traits>
 
 namespace poolhall {
 
+namespace {
+
+template <class... Parts>
+std::array<const Ruleset*, sizeof...(Parts)> rules_of(
+    std::type_identity<std::variant<Parts...>> /*list*/) {
+    return {&Parts::rules()...};
+}
+
+}  // namespace
+
 std::span<const Ruleset* const> all_rulesets() {
-    static constexpr std::array<const Ruleset*, 1> kAll{&kEndGameRules};
+    static const auto kAll = rules_of(std::type_identity<GamePart>{});
     return kAll;
 }
 

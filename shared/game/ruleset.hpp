@@ -35,7 +35,7 @@ struct Ruleset {
     Turn (*play)(const GameState& state, const Move& move);
 };
 
-/// The list of games.
+/// The rules of all games, in the order of GamePart.
 [[nodiscard]] std::span<const Ruleset* const> all_rulesets();
 [[nodiscard]] const Ruleset* find_ruleset(std::string_view name);
 
