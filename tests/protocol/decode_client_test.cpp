@@ -134,7 +134,7 @@ TEST(DecodeClient, RefusesNumbersThatTheFieldCannotHoldAndNamesTheirField) {
           "\x3B\x7F\xFF\xFF\xFF\xFF\xFF\xFF\xFE"s, "\x1B\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF"s,
           "\x1B\x00\x20\0\0\0\0\0\x01"s})
         EXPECT_EQ(refusal(cbor_aim(integer), Encoding::kCbor), no_double)
-            << testing::PrintToString(integer);
+            << ::testing::PrintToString(integer);
     for (const std::string& integer :
          {"\x3B\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF"s, "\x3B\x7F\xFF\xFF\xFF\xFF\xFF\xFF\xFF"s,
           "\x1B\x80\0\0\0\0\0\0\0"s})

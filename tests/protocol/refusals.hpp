@@ -1,6 +1,6 @@
 #pragma once
 
-#include "protocol/codec/codec.hpp"
+#include "protocol/intake/decode_client.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
