@@ -86,7 +86,7 @@ TEST_F(NetworkTableTest, StepModeStepsThroughWhatWasReceivedAndSendsNothing) {
         controller_.act(Action::kGo);
         run(20);
     }
-    EXPECT_EQ(sent_shots(), 0U);
+    EXPECT_EQ(transport_.shots(), 0U);
     run(60);
     controller_.act(Action::kGo);
     EXPECT_TRUE(controller_.view().aim);
@@ -106,7 +106,7 @@ TEST_F(NetworkTableTest, StepsThroughOnesOwnShotDoNotShootForTheOtherSeatOfAHotS
     }
     EXPECT_TRUE(playback_.idle());
     EXPECT_EQ(match_.info().acting_seat(), Seat{1});
-    EXPECT_EQ(sent_shots(), 0U);
+    EXPECT_EQ(transport_.shots(), 0U);
 }
 
 TEST_F(NetworkTableTest, StepBeforeItsTickArrivesSaysSo) {
