@@ -80,7 +80,8 @@ TEST(StoreCrash, AReaderCanReadWhatAKilledServerLeft) {
 TEST(StoreFull, AFullDiskFailsTheJobsUntilThereIsRoomAgain) {
     const TemporaryFolder folder;
     const auto store = open_store(folder.path());
-    const auto records = played_match("m1", 60);
+    auto records = played_match("m1", 60);
+    records.pop_back();  // its end, which is small and may still find room
     std::vector<protocol::ReplayRecord> stored;
     std::size_t failed = 0;
     {
