@@ -135,11 +135,11 @@ void LogFollower::take(const MoveRecord& record, Followed& followed) {
 }
 
 /// When the move was made. That a clock had run down is for whoever kept it to say: how long a
-/// match stood still is not in its log.
-std::int64_t LogFollower::time_of(const MoveRecord& record) const {
-    const auto end = match_->clock_ends_ms();
-    const bool timed_out = std::holds_alternative<TimeOut>(record.move) && end.has_value();
-    return timed_out ? std::max(record.at_ms, *end) : record.at_ms;
+/// match stood still, and from when its clock ran, is not in its log.
+std::int64_t LogFollower::time_of(const MoveRecord& record) {
+    if (!std::holds_alternative<TimeOut>(record.move)) return record.at_ms;
+    match_->start_clock(record.at_ms);
+    return match_->clock_ends_ms().value_or(record.at_ms);
 }
 
 /// Whether the move led to the recorded state; says what deviates.

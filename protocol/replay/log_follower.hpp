@@ -64,7 +64,7 @@ class LogFollower {
     void check_number(std::uint32_t shot, Findings& found);
 
     // Version 2
-    [[nodiscard]] std::int64_t time_of(const MoveRecord& record) const;
+    [[nodiscard]] std::int64_t time_of(const MoveRecord& record);
     [[nodiscard]] bool gives(const MatchStep& step, const MoveRecord& record,
                              Followed& followed) const;
     void go_on_from(const MoveRecord& record, const MatchStep* played);

@@ -290,11 +290,11 @@ TEST(DecodeClient, KeepsNamesInOneForm) {
             const auto result = decode_client(json, Encoding::kJson);
             ASSERT_TRUE(result.ok()) << json << ": " << result.error().reason;
             const auto name = std::visit(
-                [](const auto& body) {
-                    if constexpr (requires { body.name; }) return body.name;
+                [](const auto& entry) {
+                    if constexpr (requires { entry.name; }) return entry.name;
                     return std::string();
                 },
-                result->body);
+                std::get<EntryCommand>(result->body));
             EXPECT_EQ(name, "Renée") << json;
         }
     }

@@ -104,6 +104,7 @@ TEST_F(ReplayTool, ShowsEveryMoveInWords) {
     settings.race_to = 3;
     settings.breaks = BreakOrder::kWinner;
     Match match({&kEndGameRules, Seat{0}, settings});
+    match.start_clock(0);
     protocol::MatchRecord first = match_record("m3");
     first.settings = settings;
     std::vector<protocol::ReplayRecord> records{first, protocol::SeatRecord{Seat{0}, "Ann"}};
