@@ -167,6 +167,12 @@ std::optional<std::string> normalize_code(std::string_view typed) {
     return code;
 }
 
+std::string spoken_code(std::string_view code) {
+    std::string spoken(code);
+    if (code.size() == kCodeLetters) spoken.insert(kCodeLetters / 2, "-");
+    return spoken;
+}
+
 bool is_token(std::string_view text) {
     return text.size() == kTokenHexDigits &&
            text.find_first_not_of("0123456789abcdef") == std::string_view::npos;

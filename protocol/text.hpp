@@ -18,6 +18,9 @@ namespace poolhall::protocol {
 /// nothing if it is none.
 [[nodiscard]] std::optional<std::string> normalize_code(std::string_view typed);
 
+/// A join code in two groups, as people read it: "BCD-FGH"; what is none as it is.
+[[nodiscard]] std::string spoken_code(std::string_view code);
+
 /// 32 lower-case hex digits.
 [[nodiscard]] bool is_token(std::string_view text);
 

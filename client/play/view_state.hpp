@@ -69,7 +69,7 @@ struct SeatView {
 
 /// Who plays, and over what.
 struct MatchView {
-    std::string code;  ///< join code; empty in practice
+    std::string code;  ///< join code as people read it, "BCD-FGH"; empty in practice
     std::array<SeatView, kSeatCount> seats;
     std::optional<Seat> turn;
     std::uint32_t spectators = 0;

@@ -2,7 +2,7 @@
 
 #include "client/play/isolated.hpp"
 #include "client/play/ruling_text.hpp"
-#include "protocol/limits.hpp"
+#include "protocol/text.hpp"
 
 #include <array>
 #include <cstdio>
@@ -18,7 +18,8 @@ bool practice(const MatchInfo& info) {
 }
 
 std::string waiting_hint(const MatchInfo& info, const TableState& table) {
-    const std::string waiting = "Waiting for a second player: code " + shown_code(table.code);
+    const std::string waiting =
+        "Waiting for a second player: code " + protocol::spoken_code(table.code);
     return info.seated() ? waiting + ", or press H to play both seats" : waiting;
 }
 
@@ -124,12 +125,6 @@ bool has_own_physics(const MatchInfo& info) {
 
 std::string ruling_sentence(const Ruling& ruling, const MatchInfo& info) {
     return ruling_text(info.table->game, ruling, who(ruling.shooter, info, *info.table));
-}
-
-std::string shown_code(const std::string& code) {
-    const std::size_t half = protocol::kCodeLetters / 2;
-    return code.size() == protocol::kCodeLetters ? code.substr(0, half) + "-" + code.substr(half)
-                                                 : code;
 }
 
 }  // namespace poolhall::client

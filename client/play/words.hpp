@@ -27,7 +27,4 @@ namespace poolhall::client {
 /// Whether the match is played with other physics than its game's own.
 [[nodiscard]] bool has_own_physics(const MatchInfo& info);
 
-/// A join code as people read it aloud: "BCD-FGH".
-[[nodiscard]] std::string shown_code(const std::string& code);
-
 }  // namespace poolhall::client

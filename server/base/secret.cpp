@@ -75,9 +75,4 @@ bool same_token(const TokenHash& a, const TokenHash& b) {
     return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
-std::string spoken(std::string_view code) {
-    const std::size_t half = code.size() / 2;
-    return std::string(code.substr(0, half)) + "-" + std::string(code.substr(half));
-}
-
 }  // namespace poolhall::server

@@ -22,7 +22,4 @@ using TokenHash = std::string;
 /// Compares in a time that does not depend on where the two differ.
 [[nodiscard]] bool same_token(const TokenHash& a, const TokenHash& b);
 
-/// "BCD-FGH": a join code in two groups, as people read it.
-[[nodiscard]] std::string spoken(std::string_view code);
-
 }  // namespace poolhall::server

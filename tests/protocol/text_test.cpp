@@ -10,6 +10,12 @@
 namespace poolhall::protocol {
 namespace {
 
+TEST(JoinCodes, AreSpokenInTwoGroups) {
+    EXPECT_EQ(spoken_code("BCDFGH"), "BCD-FGH");
+    EXPECT_EQ(spoken_code("XY"), "XY");
+    EXPECT_EQ(spoken_code(""), "");
+}
+
 TEST(Utf8, AcceptsEveryLength) {
     EXPECT_TRUE(is_utf8(""));
     EXPECT_TRUE(is_utf8("a\x7F"));

@@ -3,6 +3,7 @@
 #include "client/play/cue_ball.hpp"
 #include "client/play/isolated.hpp"
 #include "client/play/words.hpp"
+#include "protocol/text.hpp"
 #include "shared/game/ruleset.hpp"
 
 #include <cmath>
@@ -252,7 +253,7 @@ MatchView TableController::match_view() const {
     view.round_trip_ms = info.round_trip_ms;
     const auto& table = shown_.table();
     if (!table) return view;
-    view.code = practice() ? "" : shown_code(table->code);
+    view.code = practice() ? "" : protocol::spoken_code(table->code);
     view.spectators = table->spectators;
     const bool has_turn =
         table->phase == protocol::Phase::kAiming || table->phase == protocol::Phase::kPlaying;

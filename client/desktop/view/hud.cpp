@@ -113,7 +113,7 @@ void draw_code(Text& text, const Layout& layout, const MatchView& match, float r
     }
     text.draw("JOIN CODE", {text_size(layout, 12), kDim},
               {x, 0.22F * layout.top.h, Align::kCentre, room});
-    text.draw(spoken_code(match.code), {text_size(layout, 36), kGold, true},
+    text.draw(match.code, {text_size(layout, 36), kGold, true},
               {x, 0.60F * layout.top.h, Align::kCentre, room});
 }
 
@@ -151,11 +151,6 @@ void add_mute_mark(Mesh& mesh, SDL_FPoint middle, float size) {
 
 float text_size(const Layout& layout, float size) {
     return std::max(size * layout.ui, 10.0F);
-}
-
-std::string spoken_code(const std::string& code) {
-    constexpr std::size_t kGroup = 3;
-    return code.size() == 2 * kGroup ? code.substr(0, kGroup) + "-" + code.substr(kGroup) : code;
 }
 
 std::string connection_line(const ViewState& state) {

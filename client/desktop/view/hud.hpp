@@ -14,8 +14,6 @@ void draw_top_bar(Canvas& canvas, Text& text, const Layout& layout, const MatchV
 /// Hint, status and connection below the table.
 void draw_bottom_lines(Canvas& canvas, Text& text, const Layout& layout, const ViewState& state);
 
-/// The join code as it is read aloud: "BCD-FGH".
-[[nodiscard]] std::string spoken_code(const std::string& code);
 /// "Online, 23 ms - 3 watching - 60 fps" with dots between.
 [[nodiscard]] std::string connection_line(const ViewState& state);
 

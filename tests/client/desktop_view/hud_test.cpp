@@ -8,12 +8,6 @@
 namespace poolhall::client {
 namespace {
 
-TEST(SpokenCodeTest, ACodeIsReadInTwoGroups) {
-    EXPECT_EQ(spoken_code("BCDFGH"), "BCD-FGH");
-    EXPECT_EQ(spoken_code("BCD-FGH"), "BCD-FGH");
-    EXPECT_EQ(spoken_code(""), "");
-}
-
 TEST(ConnectionLineTest, SaysHowTheConnectionIs) {
     ViewState state;
     EXPECT_EQ(connection_line(state), "Offline");

@@ -171,7 +171,7 @@ ViewState start() {
     const double edge = end_game::kWidth / 2 - kRadius;
     state.placement = Region{{end_game::kBaseLineX, -edge}, {end_game::kBaseLineX, edge}};
     state.aim = AimView{kCueSpot, {1, 0}, {}};
-    state.match.code = "BCDFGH";
+    state.match.code = "BCD-FGH";
     state.match.seats = {SeatView{"Ada", true, true, false, 0},
                          SeatView{"Grace", true, false, false, 1}};
     state.match.turn = kFirst;

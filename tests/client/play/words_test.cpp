@@ -117,10 +117,5 @@ TEST_F(WordsTest, PhysicsThatTheMatchChoseAreItsOwn) {
     EXPECT_TRUE(has_own_physics(info()));
 }
 
-TEST_F(WordsTest, CodeIsReadAloudInTwoGroups) {
-    EXPECT_EQ(shown_code("BCDFGH"), "BCD-FGH");
-    EXPECT_EQ(shown_code("XY"), "XY");
-}
-
 }  // namespace
 }  // namespace poolhall::client
