@@ -183,7 +183,7 @@ void kill_a_migration(const fs::path& folder, useconds_t life_us) {
 }
 
 // Not run by itself yet: a reader may meet a log whose index the killed server left half made, and
-// gives up after some seconds with "locking protocol". Nothing is lost; the next server mends it.
+// gives up after some seconds with "locking protocol".
 TEST_F(Migration, DISABLED_AKillLeavesTheOldOrTheNewWhole) {
     std::map<int, int> versions;
     for (useconds_t life_us = 0; life_us < 40'000; life_us += 1000) {
