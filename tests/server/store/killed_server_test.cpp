@@ -51,7 +51,7 @@ class KilledServer : public testing::Test {
         const auto start = std::chrono::steady_clock::now();
         EXPECT_EQ(exported(folder_.path(), "m1"), first_text) << what;
         EXPECT_EQ(exported(folder_.path(), "m2"), second_text) << what;
-        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2)) << what;
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(8)) << what;
         EXPECT_EQ(contents(), before) << what;
         EXPECT_EQ(open_failure(folder_.path()), "ok") << what;
         EXPECT_EQ(exported(folder_.path(), "m1"), first_text) << what;
@@ -182,7 +182,7 @@ TEST_F(KilledServer, AnIndexThatSomebodyHoldsAndNobodyMendsIsNotWaitedFor) {
             const IndexHolder holder(file("-shm"), kind);
             const auto start = std::chrono::steady_clock::now();
             EXPECT_EQ(exported(file().parent_path(), "m1"), first) << index.size();
-            EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+            EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(8));
             EXPECT_EQ(read_file(file("-shm")), index);
         }
     }
