@@ -3,6 +3,7 @@
 // outside how many instructions each takes. Prints "10 kernels, 32768 steps each".
 
 #include "shared/physics/simulate.hpp"
+#include "shared/physics/solvers/with_kernel.hpp"
 #include "tests/bench/hand_written.hpp"
 
 #include <algorithm>
@@ -140,7 +141,8 @@ bool agree(const ShotTrace& trace, const std::vector<MovingBall>& balls, std::si
 template <class Kernel>
 bool compare() {
     const Scene scene = scene_for<Kernel>();
-    const Kernel effects(scene);
+    KeptCushionMap cushions;
+    const Kernel effects(KernelScene(scene, cushions));
     const Cloth<Kernel> cloth(effects, scene.gravity);
     const typename LoopFor<Kernel>::type loop(scene);
     std::vector<MovingBall> by_kernel = balls_of(scene, cloth);

@@ -34,6 +34,14 @@ class PocketCircles {
         return box.high_y >= free_y_ || box.low_y <= -free_y_;
     }
 
+    /// Calls visit(place) for those that a centre in the box may come into, in their order.
+    template <class Visit>
+    void for_each_circle_near(const Box& centres, Visit visit) const {
+        for (std::size_t i = 0; i < circles_.size(); ++i) {
+            if (!is_clear_of(centres, circles_[i].centre, circles_[i].radius)) visit(i);
+        }
+    }
+
     /// Up to which |x| and |y| a centre meets none of them, m.
     [[nodiscard]] Vec2 clear_area(Real /*radius*/) const { return {kInfinity, free_y_}; }
 

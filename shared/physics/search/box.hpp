@@ -44,6 +44,23 @@ struct Box {
     }
 };
 
+/// The smallest box that holds both.
+[[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
+    return {std::min(a.low_x, b.low_x), std::max(a.high_x, b.high_x), std::min(a.low_y, b.low_y),
+            std::max(a.high_y, b.high_y)};
+}
+
+/// True for boxes that have no point in common; false where a side is no number.
+[[nodiscard]] constexpr bool are_apart(const Box& a, const Box& b) {
+    return a.high_x < b.low_x || b.high_x < a.low_x || a.high_y < b.low_y || b.high_y < a.low_y;
+}
+
+/// True if no point of the box is in the disc; false for some others that are near a corner.
+[[nodiscard]] constexpr bool is_clear_of(const Box& box, Vec2 centre, Real radius) {
+    return are_apart(box,
+                     {centre.x - radius, centre.x + radius, centre.y - radius, centre.y + radius});
+}
+
 /// Where the ball's surface gets on its arc up to `end` (s).
 [[nodiscard]] inline Box box_around(const MovingBall& ball, const Arc& arc, Real end) {
     if (!moves_centre(ball.motion)) return Box::around(ball.r, ball.r, ball.radius);
@@ -55,6 +72,12 @@ struct Box {
     box.add_turn_x(ball.v.x, arc.a.x, time);
     box.add_turn_y(ball.v.y, arc.a.y, time);
     return box;
+}
+
+/// Where the centre of a ball gets whose surface stays within the box: still wider than rounding.
+[[nodiscard]] constexpr Box centres_of(const Box& surface, Real radius) {
+    return {surface.low_x + radius, surface.high_x - radius, surface.low_y + radius,
+            surface.high_y - radius};
 }
 
 }  // namespace poolhall

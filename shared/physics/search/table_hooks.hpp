@@ -37,14 +37,13 @@ concept StraightRailEffect = requires(const Effect& effect, const MovingBall& ba
     effect.next_long_rail(ball, v);
 };
 
-/// Rubber of other shapes: the lines and arcs of a PoolTable.
+/// Rubber of other shapes: the lines and arcs of a pool table. straight_hit() is within a time, s.
 template <class Effect>
 concept CushionEffect = requires(const Effect& effect, const MovingBall& ball, Vec2 v, Box box) {
     effect.may_reach(box);
     effect.may_reach(ball, v, Real{});
-    effect.straight_hit(ball, v);
-    effect.table().lines();
-    effect.table().arcs();
+    effect.straight_hit(ball, v, Real{});
+    effect.map();  // a CushionMap
 };
 
 /// Takes balls that come to a place.
@@ -60,12 +59,14 @@ concept ArcPocketEffect = requires(const Effect& effect, const MovingBall& ball,
     effect.first_capture_on(ball, arc);
 };
 
-/// Pockets that are circles; may_reach() is false where none is near.
+/// Pockets that are circles; may_reach() is false where none is near a ball whose surface stays in
+/// the box, for_each_circle_near() leaves out those that no centre in its box comes into.
 template <class Effect>
 concept CirclePocketEffect = requires(const Effect& effect, Box box) {
     effect.may_reach(box);
     effect.circles();
     effect.pocket_of(std::size_t{});
+    effect.for_each_circle_near(box, [](std::size_t) {});
 };
 
 /// Can say up to which |x| and |y| (m) the centre of a ball of some radius (m) meets nothing of it.

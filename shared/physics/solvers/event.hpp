@@ -138,14 +138,10 @@ class EventSolver {
             return;
         }
         cloth_.find_arc(ball, now_, arc);
-        const Box whole = box_around(ball, arc, arc.until);
-        OwnEventSearch<Set>(set_, ball, arc, whole, own).find();
+        OwnEventSearch<Set> search(set_, ball, arc, own);
+        search.find();
         memory_.courses[i].set(ball, arc, own.t);
-        if (own.t < arc.until) {
-            memory_.reach.set(i, box_around(ball, arc, own.t));
-        } else {
-            memory_.reach.set(i, whole);
-        }
+        memory_.reach.set(i, search.reach());
     }
 
     /// Finds whom ball i, whose arc begins now, meets among those from `from` on.

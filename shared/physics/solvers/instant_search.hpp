@@ -276,7 +276,8 @@ class InstantSearch {
             for (const std::size_t i : memory_.loose) {
                 const Vec2 v = xy(paths_.drift(i));
                 if (v == Vec2{} || !mouths.may_reach(balls_[i], v, time_)) continue;
-                if (const auto hit = mouths.straight_hit(balls_[i], v); hit && is_first(hit->t))
+                const auto hit = mouths.straight_hit(balls_[i], v, time_);
+                if (hit && is_first(hit->t))
                     work_.contacts.push_back({Contact::Kind::kRail, i, i, hit->rail, hit->normal});
             }
         }

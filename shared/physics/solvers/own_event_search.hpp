@@ -12,13 +12,13 @@ namespace poolhall {
 template <class Set>
 class OwnEventSearch {
   public:
-    /// `reach` is where the ball's surface gets on the whole arc; what is found goes to `event`.
-    OwnEventSearch(const Set& set, const MovingBall& ball, const Arc& arc, const Box& reach,
-                   OwnEvent& event)
+    /// What is found goes to `event`.
+    OwnEventSearch(const Set& set, const MovingBall& ball, const Arc& arc, OwnEvent& event)
         : set_(set),
           ball_(ball),
           arc_(arc),
-          reach_(reach),
+          reach_(box_around(ball, arc, arc.until)),
+          reach_end_(arc.until),
           horizon_(arc.until - arc.since),
           event_(event) {
         event_.t = arc.until;
@@ -33,6 +33,15 @@ class OwnEventSearch {
         if constexpr (Set::template kHook<hooks::Cushions>)
             find_cushions(set_.template hook<hooks::Cushions>());
         if (ball_.motion != Motion::kAirborne) find_pockets();
+    }
+
+    /// Where the ball's surface gets until what was found so far.
+    [[nodiscard]] const Box& reach() {
+        if (event_.t < reach_end_) {
+            reach_ = box_around(ball_, arc_, event_.t);
+            reach_end_ = event_.t;
+        }
+        return reach_;
     }
 
   private:
@@ -87,7 +96,7 @@ class OwnEventSearch {
 
     void find_cushions(const CushionEffect auto& mouths) {
         if (!mouths.may_reach(reach_)) return;
-        for (const CushionLine& line : mouths.table().lines()) {
+        mouths.map().for_each_line_near(reach_, [this](const CushionLine& line) {
             const Real gap = dot(line.from - ball_.r, line.normal) - ball_.reach;
             const Real closing = dot(ball_.v, line.normal);
             const Real v = abs(closing) <= rounding_of(ball_.v) ? 0 : closing;
@@ -95,13 +104,13 @@ class OwnEventSearch {
             const Real dt = faces(gap) ? time_to(gap, v, a) : time_back(gap, v, a);
             if (dt <= horizon_ && within(line, place_on(ball_, arc_, arc_.since + dt)))
                 touch_first(dt, line.rail, line.normal);
-        }
-        for (const CushionArc& arc : mouths.table().arcs()) {
+        });
+        mouths.map().for_each_arc_near(reach(), [this](const CushionArc& arc) {
             const Real dt = time_to_come_within(arc.centre, arc.radius + ball_.reach);
-            if (!(dt <= horizon_)) continue;
+            if (!(dt <= horizon_)) return;
             const Vec2 out = place_on(ball_, arc_, arc_.since + dt) - arc.centre;
             if (within(arc, out)) touch_first(dt, arc.rail, -normalized(out));
-        }
+        });
     }
 
     void find_pockets() {
@@ -109,9 +118,10 @@ class OwnEventSearch {
             if (const auto capture = pockets.first_capture_on(ball_, arc_)) take(*capture);
         });
         set_.for_each([this]<CirclePocketEffect Pockets>(const Pockets& pockets) {
-            if (!pockets.may_reach(reach_)) return;
-            for (std::size_t i = 0; i < pockets.circles().size(); ++i)
+            if (!pockets.may_reach(reach())) return;
+            pockets.for_each_circle_near(centres_of(reach_, ball_.radius), [&](std::size_t i) {
                 take({time_into(pockets.circles()[i]), pockets.pocket_of(i)});
+            });
         });
     }
 
@@ -135,10 +145,6 @@ class OwnEventSearch {
     /// When the ball's centre comes within `distance` of a place, s; 0 where it is there already
     /// and does not move away.
     [[nodiscard]] Real time_to_come_within(Vec2 place, Real distance) const {
-        // reach_ is wider than the centre's way by the radius at least.
-        if (place.x - distance > reach_.high_x || place.x + distance < reach_.low_x ||
-            place.y - distance > reach_.high_y || place.y + distance < reach_.low_y)
-            return kNever;
         const Vec2 c = ball_.r - place;
         if (dot(c, c) <= distance * distance) {
             const Real approach = -dot(c, ball_.v);
@@ -159,7 +165,8 @@ class OwnEventSearch {
     const Set& set_;
     const MovingBall& ball_;
     const Arc& arc_;
-    const Box& reach_;
+    Box reach_;       ///< where the ball's surface gets until reach_end_
+    Real reach_end_;  ///< s
     Real horizon_;
     OwnEvent& event_;
 };

@@ -4,6 +4,7 @@
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/physics/scene/trace.hpp"
+#include "shared/physics/search/cushion_map.hpp"
 
 #include <span>
 #include <vector>
@@ -21,6 +22,7 @@ struct Workspace {
     std::size_t many_balls = kManyBalls;
     std::vector<MovingBall> balls;
     ContactSolver contact_solver;
+    KeptCushionMap cushions;
     // What happens in one instant.
     std::vector<Contact> contacts;
     std::vector<MovingBall> before;  ///< two a contact: the balls before it was resolved
@@ -34,7 +36,7 @@ class ShotRun {
 
     [[nodiscard]] std::vector<MovingBall>& balls() { return workspace_.balls; }
 
-    [[nodiscard]] Workspace& workspace() { return workspace_; }
+    [[nodiscard]] Workspace& workspace() const { return workspace_; }
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
 
