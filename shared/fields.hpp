@@ -55,6 +55,7 @@ struct Field {
     bool may_be_left_out = false;          ///< in a file: the member keeps its initial value
     std::size_t least_components = 3;      ///< of a vector in space, in a file
     bool absence_enters_the_hash = false;  ///< of an optional member
+    bool hashed_where_set = false;         ///< and else leaves the hash alone
 
     [[nodiscard]] constexpr Field in(std::string_view its_unit) const {
         Field field = *this;
@@ -78,6 +79,14 @@ struct Field {
     [[nodiscard]] constexpr Field hashed_if_absent() const {
         Field field = *this;
         field.absence_enters_the_hash = true;
+        return field;
+    }
+
+    /// Of an optional member that came later: it enters the hash by its name where it is there, so
+    /// that scenes without it keep theirs.
+    [[nodiscard]] constexpr Field hashed_if_there() const {
+        Field field = *this;
+        field.hashed_where_set = true;
         return field;
     }
 };

@@ -209,6 +209,15 @@ struct Object {
     }
 };
 
+/// An object whose fields that are left out are those of a new T.
+template <HasFields T>
+struct Fresh : Object<T> {
+    [[nodiscard]] bool read(const Cursor& cursor, T& value) const {
+        value = T{};
+        return read_fields(cursor, value);
+    }
+};
+
 /// An array of any length up to a limit.
 template <class ElementCodec>
 struct List {

@@ -15,6 +15,10 @@ Cursor Cursor::field(std::string_view key, const Json& value) const {
     return {value, *this, key, 0};
 }
 
+Cursor Cursor::in_place(const Json& json) const {
+    return {json, *this};
+}
+
 Cursor Cursor::element(std::size_t index) const {
     return {json_[index], *this, {}, index};
 }

@@ -57,6 +57,8 @@ class Cursor {
     [[nodiscard]] const Json* find(std::string_view key) const;
     /// The cursor of a field that find() found.
     [[nodiscard]] Cursor field(std::string_view key, const Json& value) const;
+    /// The cursor of another tree in the place of this one.
+    [[nodiscard]] Cursor in_place(const Json& json) const;
     /// The cursor of an array's element.
     [[nodiscard]] Cursor element(std::size_t index) const;
 
@@ -71,6 +73,13 @@ class Cursor {
   private:
     Cursor(const Json& json, const Cursor& parent, std::string_view key, std::size_t index)
         : json_(json), reading_(parent.reading_), parent_(&parent), key_(key), index_(index) {}
+
+    Cursor(const Json& json, const Cursor& replaced)
+        : json_(json),
+          reading_(replaced.reading_),
+          parent_(replaced.parent_),
+          key_(replaced.key_),
+          index_(replaced.index_) {}
 
     [[nodiscard]] std::string pointer() const;
 

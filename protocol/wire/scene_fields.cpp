@@ -44,6 +44,19 @@ StrikeForm form_of(const Scene& scene, const Strike& strike) {
     return {scene.balls[strike.ball.value].id, {strike.direction.x, strike.direction.y, 0}, strike};
 }
 
+/// Gives the ball "cue" the size and mass that a set has for it, where it says none of its own.
+void use_cue_ball_of(const Cursor& cursor, Scene& scene) {
+    const Json* spec = cursor.find("ball");
+    const Json* set = spec != nullptr ? cursor.field("ball", *spec).find("preset") : nullptr;
+    const auto cue = find_ball(scene, "cue");
+    if (set == nullptr || !cue) return;
+    const auto own = cue_ball_of(*find<BallSet>(set->get_ref<const std::string&>()));
+    if (!own) return;
+    SceneBall& ball = scene.balls[cue->value];
+    if (!ball.radius) ball.radius = own->radius;
+    if (!ball.mass) ball.mass = own->mass;
+}
+
 constexpr List<Object<PocketCircle>> kCircleList{{}, kMaxPocketCircles};
 
 }  // namespace
@@ -70,6 +83,7 @@ Json PocketsCodec::write(const Table& table, Encoding encoding) const {
 bool SceneCodec::read(const Cursor& cursor, Scene& scene) const {
     if (!cursor.json().is_object()) return cursor.refuse("must be an object");
     if (!read_schema(cursor) || !read_fields(cursor, scene, {"schema", "strike"})) return false;
+    use_cue_ball_of(cursor, scene);
     if (const Json* strike = cursor.find("strike")) {
         if (!read_strike(cursor.field("strike", *strike), scene)) return false;
     } else if (strike_required) {

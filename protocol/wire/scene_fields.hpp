@@ -2,7 +2,10 @@
 
 #include "protocol/wire/codecs.hpp"
 #include "protocol/wire/listed_fields.hpp"
+#include "protocol/wire/presets.hpp"
+#include "shared/physics/effects/presets.hpp"
 #include "shared/physics/scene/scene.hpp"
+#include "shared/table/presets.hpp"
 
 #include <string>
 #include <tuple>
@@ -35,13 +38,33 @@ struct StrikeForm {
     Strike strike;   ///< the rest
 };
 
-/// In a file pockets and circles are one field, the list's last two.
+/// A rail or an impact that is named has the defaults of its own, not those of what is not named.
+template <>
+struct DefaultCodec<RailSpec> : Fresh<RailSpec> {};
+
+template <>
+struct DefaultCodec<BallBallSpec> : Fresh<BallBallSpec> {};
+
+/// In a file pockets and circles are one field.
 template <>
 inline constexpr auto kFields<Table> = std::tuple_cat(
     head_of<Table, 3>(),
     std::tuple{field(
                    "pockets", [](auto& table) -> auto& { return table; }, PocketsCodec{})
-                   .or_default()});
+                   .or_default()},
+    tail_of<Table, 5>());
+
+template <>
+struct DefaultCodec<Table> : WithPreset<Table, TablePreset> {};
+
+template <>
+struct DefaultCodec<BallSpec> : WithPreset<BallSpec, BallSet> {};
+
+template <>
+struct DefaultCodec<Effects> : WithPreset<Effects, EffectsPreset> {};
+
+template <>
+struct DefaultCodec<CueSpec> : WithPreset<CueSpec, CuePreset> {};
 
 template <>
 inline constexpr auto kFields<StrikeForm> =

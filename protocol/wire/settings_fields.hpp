@@ -13,7 +13,7 @@ template <>
 inline constexpr auto kFields<MatchSettings> = std::tuple{
     field(
         "effects", [](auto& settings) -> auto& { return settings.game.effects; },
-        Object<Effects>{}),
+        DefaultCodec<Effects>{}),
     field(
         "solver", [](auto& settings) -> auto& { return settings.game.solver; },
         Object<SolverSpec>{}),

@@ -35,6 +35,7 @@ MovingBall resting_ball(const Scene& scene, BallIndex index) {
     MovingBall resting;
     resting.r = xy(ball.state.r);
     resting.radius = radius_of(scene, ball);
+    resting.reach = rail_reach(scene.table, resting.radius);
     return resting;
 }
 

@@ -20,10 +20,11 @@ struct Region {
 
 /// What a shot may ask of the cue.
 struct StrokeBounds {
-    Real min_speed = 0;      ///< m/s
-    Real max_speed = 0;      ///< m/s
-    Real own_speed = 0;      ///< of a stroke that names none, m/s
-    Real max_offset = 0;     ///< of the tip from the ball's middle, radii
+    Real min_speed = 0;  ///< m/s
+    Real max_speed = 0;  ///< m/s
+    Real own_speed = 0;  ///< of a stroke that names none, m/s
+    Real max_offset =
+        0;  ///< of the tip from the ball's middle, radii; no more than kMiscueOffset counts
     Real max_elevation = 0;  ///< slope of the cue
 
     friend bool operator==(const StrokeBounds&, const StrokeBounds&) = default;

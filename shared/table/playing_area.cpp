@@ -33,8 +33,8 @@ bool in_outline(const PoolTable& table, Vec2 r) {
 }
 
 /// Whether a ball in the outline reaches no deeper than `slack` into rubber.
-bool clear_of_rubber(const PoolTable& table, Vec2 r, Real radius, Real slack) {
-    const Real least = radius - slack;
+bool clear_of_rubber(const PoolTable& table, Vec2 r, Real reach, Real slack) {
+    const Real least = reach - slack;
     const bool lines =
         std::all_of(table.lines().begin(), table.lines().end(), [&](const CushionLine& line) {
             return !within(line, r) || dot(line.from - r, line.normal) >= least;
@@ -59,7 +59,8 @@ bool is_on_table(const Table& table, Vec2 r, Real radius, Real slack) {
     if (table.pockets != PocketModel::kPool) return inside;
     const PoolTable pool(table);
     if (in_hole(pool, r)) return false;
-    return inside || (in_outline(pool, r) && clear_of_rubber(pool, r, radius, slack));
+    return inside ||
+           (in_outline(pool, r) && clear_of_rubber(pool, r, rail_reach(table, radius), slack));
 }
 
 }  // namespace poolhall

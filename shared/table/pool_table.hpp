@@ -3,41 +3,11 @@
 #include "shared/table/table.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
+#include <string_view>
 
 namespace poolhall {
-
-/// The shape of a pocket's mouth. The same numbers on every table: a mouth is cut for the balls,
-/// not for the table. Sources in shared/PHYSICS.md, "The pool table".
-struct MouthSpec {
-    Real width;        ///< between the points where nose and facing would meet unrounded, m
-    Vec2 facing;       ///< unit vector along a facing: {back towards the pocket, out of the table}
-    Real jaw_radius;   ///< of the nose where it turns into the mouth, m
-    Real shelf;        ///< from the middle of the mouth's line to the edge where balls drop, m
-    Real hole_radius;  ///< of that edge, m
-};
-
-/// WPA: mouth 4 1/2 to 4 5/8 in, cut 142 degrees, shelf 1 to 2 1/4 in. The facing turns 142 - 90
-/// degrees away from straight out: {sin 52, cos 52}.
-inline constexpr MouthSpec kCornerMouth{
-    .width = 0.1158875,  // 4 9/16 in
-    .facing = {0.78801075360672196, 0.61566147532565828},
-    .jaw_radius = 0.02095,
-    .shelf = 0.041275,  // 1 5/8 in
-    .hole_radius = 0.062,
-};
-
-/// WPA: mouth 5 to 5 1/8 in, cut 104 degrees, shelf 0 to 3/8 in. {sin 14, cos 14}.
-inline constexpr MouthSpec kSideMouth{
-    .width = 0.1285875,  // 5 1/16 in
-    .facing = {0.24192189559966772, 0.97029572627599647},
-    .jaw_radius = 0.00795,
-    .shelf = 0.0047625,  // 3/16 in
-    .hole_radius = 0.0645,
-};
-
-/// From the nose of a cushion to its back, where the facings end; m. WPA: 1 7/8 to 2 in.
-inline constexpr Real kCushionWidth = 0.0508;
 
 /// A straight stretch of rubber; balls touch it from the side that `normal` points away from.
 struct CushionLine {
@@ -87,7 +57,7 @@ inline constexpr Real kJointSlack = 1e-9;
 /// and then running back along a facing. Bit-exactly symmetric under x -> -x and y -> -y.
 class PoolTable {
   public:
-    /// Requires is_large_enough_for_pool(table), and balls that pass fits_pool_table().
+    /// Requires a table that has no fault_of_mouths().
     explicit PoolTable(const Table& table);
 
     /// The six rails in the order N west half, N east half, E, S east half, S west half, W, then
@@ -100,17 +70,26 @@ class PoolTable {
     /// In the order of Pocket.
     [[nodiscard]] std::span<const Hole> holes() const { return holes_; }
 
+    /// How far holes come into the table from the lines of the noses, m; 0 if they do not.
+    [[nodiscard]] Real hole_depth() const { return hole_depth_; }
+
   private:
     std::array<CushionLine, 6 + 12> lines_;
     std::array<CushionArc, 12> arcs_;
     std::array<Hole, kPocketCount> holes_;
+    Real hole_depth_ = 0;
 };
 
-/// Whether the rails are longer than what their mouths take: 0.319 m by 0.179 m.
-[[nodiscard]] bool is_large_enough_for_pool(const Table& table);
+/// What is wrong with the shape of the table's mouths, and where: a pointer from the table on.
+struct MouthFault {
+    std::string_view pointer;  ///< "/mouths/corner"
+    std::string_view reason;
+};
 
-/// Whether a ball of this radius (m) gets through every mouth: up to 52.48 mm. Of such balls none
-/// gets out of the table but into a hole.
-[[nodiscard]] bool fits_pool_table(Real ball_radius);
+/// Of a table that has none, no ball that fits_pool_table() gets out but into a hole.
+[[nodiscard]] std::optional<MouthFault> fault_of_mouths(const Table& table);
+
+/// Whether a ball of this radius (m) gets through every mouth: with Mouths{}, up to 52.48 mm.
+[[nodiscard]] bool fits_pool_table(const Table& table, Real ball_radius);
 
 }  // namespace poolhall

@@ -4,8 +4,10 @@
 #include "shared/fields.hpp"
 #include "shared/math/vec2.hpp"
 #include "shared/table/bounds.hpp"
+#include "shared/table/mouths.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -113,6 +115,10 @@ struct Table {
     bool rails = true;   ///< false: an endless cloth
     PocketModel pockets = PocketModel::kNone;
     std::vector<PocketCircle> circles = {};  ///< with PocketModel::kCircles
+    std::optional<Mouths> mouths = {};       ///< with PocketModel::kPool; absent: Mouths{}
+    /// Balls touch the noses at this height above the cloth, m: nearer to them than at their sides.
+    /// Absent: at their sides, as most programs have it.
+    std::optional<Real> nose_height = {};
 
     static constexpr auto field_list() {
         return std::tuple{
@@ -121,11 +127,19 @@ struct Table {
             fields::of("rails", &Table::rails).or_default(),
             fields::of("pockets", &Table::pockets).or_default(),
             // In a file they stand in the place of the model's name.
-            fields::of("pockets", &Table::circles, {0, kMaxPocketCircles}).or_default()};
+            fields::of("pockets", &Table::circles, {0, kMaxPocketCircles}).or_default(),
+            fields::of("mouths", &Table::mouths).hashed_if_there(),
+            fields::of("nose_height", &Table::nose_height, fields::positive(kMaxLength))
+                .in("m")
+                .hashed_if_there()};
     }
 
     friend bool operator==(const Table&, const Table&) = default;
 };
+
+/// How far from a nose, seen from above, the centre of a ball on the cloth is that touches it (m):
+/// its radius R or, touched at the height h, R cos(asin((h - R)/R)) = sqrt(h (2 R - h)).
+[[nodiscard]] Real rail_reach(const Table& table, Real radius);
 
 /// Where the centre of a ball of the given radius (m) is when it touches the rails: |x| and |y|, m.
 [[nodiscard]] Vec2 inset(const Table& table, Real radius);

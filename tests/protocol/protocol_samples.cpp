@@ -111,6 +111,10 @@ Json parts() {
                  {"table", fields_of<Table>()},
                  {"ball_spec", fields_of<BallSpec>()},
                  {"pocket_circle", fields_of<PocketCircle>()},
+                 {"mouths", fields_of<Mouths>()},
+                 {"cue", fields_of<CueSpec>()},
+                 {"mouth", fields_of<MouthSpec>()},
+                 {"restitution_by_speed", fields_of<RestitutionBySpeed>()},
                  {"effects", fields_of<Effects>()},
                  {"friction_by_speed", fields_of<FrictionBySpeed>()},
                  {"solver", fields_of<SolverSpec>()},
@@ -157,6 +161,8 @@ Json listed() {
     parts["table"] = listed_fields_of<Table>();
     parts["ball_spec"] = listed_fields_of<BallSpec>();
     parts["pocket_circle"] = listed_fields_of<PocketCircle>();
+    parts["cue"] = listed_fields_of<CueSpec>();
+    parts["restitution_by_speed"] = listed_fields_of<RestitutionBySpeed>();
     parts["friction_by_speed"] = listed_fields_of<FrictionBySpeed>();
     parts["solver"] = listed_fields_of<SolverSpec>();
     parts["ball"] = listed_fields_of<SceneBall>();
@@ -180,6 +186,11 @@ void print_catalog() {
         {"parts", parts()},
         {"listed", listed()},
         {"solver_kinds", names_of<SolverKind>()},
+        {"presets",
+         {{"table", names_of<TablePreset>()},
+          {"ball", names_of<BallSet>()},
+          {"cue", names_of<CuePreset>()},
+          {"effects", names_of<EffectsPreset>()}}},
         {"models", {{"ball_ball", names_of<BallBallModel>()}, {"rail", names_of<RailModel>()}}}};
     std::cout << catalog.dump() << "\n";
 }

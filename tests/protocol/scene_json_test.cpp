@@ -1,5 +1,7 @@
 #include "protocol/codec/scene_json.hpp"
 
+#include "shared/physics/effects/presets.hpp"
+#include "shared/table/presets.hpp"
 #include "tests/protocol/random_messages.hpp"
 
 #include <gtest/gtest.h>
@@ -91,9 +93,9 @@ TEST(SceneJson, TakesAnEffectsCoefficientsFromItsDefaults) {
     expected.rolling = RollingSpec{};
     expected.spin_decay = SpinDecaySpec{};
     expected.airborne = AirborneSpec{};
-    expected.ball_ball.model = BallBallModel::kFriction;
+    expected.ball_ball = BallBallSpec{};
     expected.ball_ball.friction_by_speed = FrictionBySpeed{};
-    expected.rail.model = RailModel::kHan2005;
+    expected.rail = RailSpec{RailModel::kHan2005};
     EXPECT_EQ(scene->effects, expected);
 }
 
@@ -207,7 +209,7 @@ TEST(SceneJson, RefusesShapesAtTheirPlace) {
 TEST(SceneJson, RefusesWhatIsNotSimulated) {
     expect_refused("/effects/wind", {{"mu", 0.2}}, "/effects/wind", "is not known");
     expect_refused("/effects/ball_ball/model", "sticky", "/effects/ball_ball/model",
-                   "must be one of elastic, restitution, friction");
+                   "must be one of elastic, restitution, friction, mathavan2014");
     expect_refused("/effects/rail/model", "stronge", "/effects/rail/model",
                    "must be one of elastic, restitution, han2005, mathavan2010, mathavan2010_fast");
     expect_refused("/effects/sliding/nu", 0.2, "/effects/sliding/nu", "is not known");
@@ -230,12 +232,71 @@ TEST(SceneJson, RefusesWhatCheckRefuses) {
                    "has no closed form of linear_drag together with sliding or rolling");
 }
 
+TEST(SceneJson, TakesTablesBallsAndEffectsFromPresets) {
+    Json json = whole_scene();
+    json["table"] = {{"preset", "12ft_snooker"}};
+    json["ball"] = {{"preset", "snooker"}};
+    json["effects"] = {{"preset", "snooker"}};
+    json["balls"][1].erase("radius");
+    json["solver"] = {{"kind", "event"}};
+    const auto scene = scene_from_json(json);
+    ASSERT_TRUE(scene.ok()) << scene.error().pointer << " " << scene.error().reason;
+    EXPECT_EQ(scene->table, preset_value(TablePreset::kTwelveFootSnooker));
+    EXPECT_EQ(scene->ball, preset_value(BallSet::kSnooker));
+    EXPECT_EQ(scene->effects, preset_value(EffectsPreset::kSnooker));
+    EXPECT_EQ(*scene_from_json(to_json(*scene)), *scene);
+}
+
+TEST(SceneJson, LetsFieldsBesideAPresetOverrideIt) {
+    Json json = whole_scene();
+    json["table"] =
+        Json::parse(R"({"preset": "9ft_pro", "mouths": {"corner": {"jaw_radius": 0.02095}}})");
+    json["effects"] = Json::parse(R"({"preset": "worsted", "rolling": {"mu": 0.008},
+                                      "sliding": null, "rail": {"e_by_speed": null}})");
+    json["balls"][1]["r"] = {0.5, 0.25};
+    const auto scene = scene_from_json(json);
+    ASSERT_TRUE(scene.ok()) << scene.error().pointer << " " << scene.error().reason;
+    Table table = preset_value(TablePreset::kNineFootPro);
+    table.mouths->corner.jaw_radius = 0.02095;
+    EXPECT_EQ(scene->table, table);
+    Effects effects = preset_value(EffectsPreset::kWorsted);
+    effects.rolling->mu = 0.008;
+    effects.sliding.reset();
+    effects.rail.e_by_speed.reset();
+    EXPECT_EQ(scene->effects, effects);
+}
+
+TEST(SceneJson, GivesABarTablesCueBallToTheBallOfThatName) {
+    Json json = whole_scene();
+    json["ball"] = {{"preset", "bar_large"}};
+    json["balls"][1].erase("radius");
+    const auto scene = scene_from_json(json);
+    ASSERT_TRUE(scene.ok()) << scene.error().pointer << " " << scene.error().reason;
+    const BallSpec cue = *cue_ball_of(BallSet::kBarLarge);
+    EXPECT_EQ(scene->balls[0].radius, cue.radius);
+    EXPECT_EQ(scene->balls[0].mass, cue.mass);
+    EXPECT_EQ(scene->balls[1].radius, std::nullopt);
+    json["balls"][0]["mass"] = 0.2;
+    EXPECT_EQ(scene_from_json(json)->balls[0].mass, 0.2);
+}
+
+TEST(SceneJson, RefusesWhatNoPresetIsCalledAndFieldsBesideItThatAreNone) {
+    expect_refused("/table", {{"preset", "10ft"}}, "/table/preset",
+                   "must be one of 9ft, 9ft_pro, 8ft, 8ft_home, 7ft_bar, 12ft_snooker, 10ft_carom");
+    expect_refused("/ball", {{"preset", 8}}, "/ball/preset", "must be a string");
+    expect_refused("/effects", {{"preset", "bar"}, {"wind", 1}}, "/effects/wind", "is not known");
+    expect_refused("/table", {{"preset", "9ft"}, {"length", nullptr}}, "/table/length",
+                   "is missing");
+    expect_refused("/table", {{"preset", "9ft"}, {"rails", 1}}, "/table/rails",
+                   "must be true or false");
+}
+
 TEST(SceneJson, RefusesMissingFields) {
     for (const char* at :
          {"/schema", "/table", "/table/length", "/table/width", "/ball/radius", "/ball/mass",
-          "/effects", "/effects/linear_drag/k", "/effects/linear_drag/stop_speed",
-          "/effects/rail/model", "/solver", "/solver/kind", "/balls", "/balls/0/id", "/balls/0/r",
-          "/strike/ball", "/strike/direction", "/strike/speed"}) {
+          "/effects", "/effects/linear_drag/k", "/effects/linear_drag/stop_speed", "/solver",
+          "/solver/kind", "/balls", "/balls/0/id", "/balls/0/r", "/strike/ball",
+          "/strike/direction", "/strike/speed"}) {
         const Json::json_pointer pointer(at);
         Json scene = whole_scene();
         Json& parent = scene[pointer.parent_pointer()];

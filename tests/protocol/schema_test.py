@@ -102,6 +102,14 @@ class Schemas(unittest.TestCase):
         for effect, names in CATALOG["models"].items():
             self.assertEqual(parts[effect]["properties"]["model"]["enum"], names)
 
+    def test_have_the_presets_of_the_code(self):
+        parts = schema("scene.json")["$defs"]
+        page = (FOLDER / "PROTOCOL.md").read_text()
+        for part, names in CATALOG["presets"].items():
+            self.assertEqual(parts[f"{part}_preset"]["properties"]["preset"]["enum"], names)
+            for name in names:
+                self.assertIn(f"`{name}`", page)
+
     def test_know_every_field_of_a_scene(self):
         root, check = schema("scene.json"), validator("scene.json")
         leaves = samples("leaves")

@@ -18,14 +18,18 @@ inline Scene whole_scene() {
     Scene scene;
     scene.id = "whole";
     scene.table.pockets = PocketModel::kCircles;
+    scene.table.mouths.emplace();
+    scene.table.nose_height = 0.02;
+    scene.effects.rail.nose_height = 0.02;
     scene.table.circles = {{"NE", {1.27, 0.635}, 0.1}, {"S", {0, -0.635}, 0.09}};
     for_each_field(scene.effects, [](const auto&, auto& effect) {
         if constexpr (requires { effect.emplace(); }) effect.emplace();
     });
     scene.effects.ball_ball.friction_by_speed.emplace();
+    scene.effects.rail.e_by_speed.emplace();
     scene.balls = {{"cue", {{-0.5, 0.1, 0}, {1, 2, 0}, {4, 5, 6}}, 0.03, 0.2},
                    {"8", {{0.5, -0.1, 0}, {-1, -2, 0}, {-4, -5, -6}}, 0.02, 0.1}};
-    scene.strike = Strike{BallIndex{0}, {0.6, 0.7}, 3, {0.1, 0.2}, 0.3, 0.04};
+    scene.strike = Strike{BallIndex{0}, {0.6, 0.7}, 3, {0.1, 0.2}, 0.3, 0.04, CueSpec{}};
     return scene;
 }
 

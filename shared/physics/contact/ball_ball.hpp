@@ -12,15 +12,17 @@
 namespace poolhall {
 
 enum class BallBallModel : std::uint8_t {
-    kElastic,      ///< e = 1, no friction
-    kRestitution,  ///< e
-    kFriction,     ///< e and friction: throw
+    kElastic,       ///< e = 1, no friction
+    kRestitution,   ///< e
+    kFriction,      ///< e and friction: throw
+    kMathavan2014,  ///< the same, and friction of the cloth meanwhile
 };
 
 constexpr auto enum_names(BallBallModel /*type*/) {
     return names_of<BallBallModel>({{BallBallModel::kElastic, "elastic"},
                                     {BallBallModel::kRestitution, "restitution"},
-                                    {BallBallModel::kFriction, "friction"}});
+                                    {BallBallModel::kFriction, "friction"},
+                                    {BallBallModel::kMathavan2014, "mathavan2014"}});
 }
 
 /// Friction between balls that falls with the speed of their slip: mu = a + b exp(-c u).
@@ -44,10 +46,10 @@ struct FrictionBySpeed {
 /// the speed at which they approached; with equal masses and e = 1 they exchange the components
 /// along n (text, 5.2.1). Friction between them is in ball_friction.hpp.
 struct BallBallSpec {
-    BallBallModel model = BallBallModel::kElastic;
+    BallBallModel model = BallBallModel::kFriction;
     Real e = 0.95;   ///< coefficient of restitution, 0 to 1; not used by kElastic
-    Real mu = 0.05;  ///< friction between balls; used by kFriction
-    std::optional<FrictionBySpeed> friction_by_speed;  ///< instead of mu
+    Real mu = 0.05;  ///< friction between balls; used by kFriction and kMathavan2014
+    std::optional<FrictionBySpeed> friction_by_speed = {};  ///< instead of mu
     /// Balls that cloth friction can press together leave an impact at least this fast, m/s.
     Real min_separation = 1e-4;
 
@@ -56,7 +58,7 @@ struct BallBallSpec {
 
     static constexpr auto field_list() {
         return std::tuple{
-            fields::of("model", &BallBallSpec::model),
+            fields::of("model", &BallBallSpec::model).or_default(),
             fields::of("e", &BallBallSpec::e, kShares).or_default(),
             fields::of("mu", &BallBallSpec::mu, kFrictions).or_default(),
             fields::of("friction_by_speed", &BallBallSpec::friction_by_speed),
@@ -70,7 +72,7 @@ struct BallBallSpec {
 
 /// Its place among the effects of a scene.
 struct BallBallPart {
-    BallBallSpec ball_ball;
+    BallBallSpec ball_ball{BallBallModel::kElastic};  ///< of a scene that names none
 
     static constexpr auto part_field() {
         return fields::of("ball_ball", &BallBallPart::ball_ball).or_default();
@@ -85,7 +87,9 @@ struct BallBallPart {
 }
 
 [[nodiscard]] constexpr bool has_friction(const BallBallSpec& spec) {
-    return spec.model == BallBallModel::kFriction && (spec.friction_by_speed || spec.mu > 0);
+    const bool rubs =
+        spec.model == BallBallModel::kFriction || spec.model == BallBallModel::kMathavan2014;
+    return rubs && (spec.friction_by_speed || spec.mu > 0);
 }
 
 /// The velocities after the elastic impact of two equal balls, at the unit normal n from a to b.

@@ -5,7 +5,7 @@
 namespace poolhall {
 
 BallFriction::BallFriction(const BallBallSpec& spec) {
-    if (spec.model != BallBallModel::kFriction) return;
+    if (!has_friction(spec)) return;
     if (spec.friction_by_speed) {
         a_ = spec.friction_by_speed->a;
         b_ = spec.friction_by_speed->b;

@@ -2,6 +2,7 @@
 
 #include "shared/physics/contact/ball_ball.hpp"
 #include "shared/physics/contact/han_rail.hpp"
+#include "shared/physics/contact/mathavan_balls.hpp"
 #include "shared/physics/contact/mathavan_rail.hpp"
 
 #include <algorithm>
@@ -113,6 +114,7 @@ void ContactSolver::prepare(const ImpactModels& models) {
     min_separation_ = models.pressed ? models.ball_ball.min_separation : 0;
     in_space_ = models.in_space;
     has_friction_ = has_friction(models.ball_ball);
+    cloth_rubs_ = has_friction_ && models.ball_ball.model == BallBallModel::kMathavan2014;
     friction_ = BallFriction(models.ball_ball);
     changes_.assign(models.balls, {});
     slow_impacts_.assign(models.balls * models.balls, {});
@@ -176,8 +178,9 @@ void ContactSolver::reflect(const Contact& contact, MovingBall& ball) const {
         }
         return;
     }
-    const RailContact rail{contact.normal, ball.radius, ball.mass, rail_.nose_height,
-                           rail_.e,        rail_.mu,    mu_table_};
+    const Real e = restitution_of(rail_, dot(ball.v, contact.normal));
+    const RailContact rail{contact.normal, ball.radius, ball.mass, rail_.nose_height, e,
+                           rail_.mu,       mu_table_};
     Vec3 v = velocity(ball);
     switch (rail_.model) {
         case RailModel::kHan2005:
@@ -199,13 +202,17 @@ void ContactSolver::collide(const Contact& contact, std::span<MovingBall> balls)
     const Vec3 n = normal_of(contact, balls);
     const Real approach = dot(velocity(a) - velocity(b), n);
     // A rail at the same instant, or rounding, may have turned the approach round.
-    const Real change =
+    Real change =
         approach + std::max(e_ball_ * approach, least_opening(contact, e_ball_ * approach));
     if (change <= 0) return;
     const Real total = a.mass + b.mass;
     ImpactBall after_a{velocity(a), a.w, a.radius, a.mass};
     ImpactBall after_b{velocity(b), b.w, b.radius, b.mass};
-    if (has_friction_) {
+    if (cloth_rubs_ && approach > 0 && vertical_part(a, b) == VerticalPart::kToSlate) {
+        const Real mu = friction_.coefficient(norm(slip_velocity(n, after_a, after_b)));
+        collide_mathavan2014({change / approach - 1, mu, mu_table_}, n, after_a, after_b);
+        change = 0;
+    } else if (has_friction_) {
         const Real impulse = change * (a.mass * b.mass / total);
         apply_tangential(friction_impulse(friction_, impulse, n, after_a, after_b), n,
                          vertical_part(a, b), after_a, after_b);

@@ -131,6 +131,7 @@ class ContactSolver {
     Real min_separation_ = 0;  ///< m/s; 0 where nothing presses balls together
     bool in_space_ = false;    ///< balls may be at different heights
     bool has_friction_ = false;
+    bool cloth_rubs_ = false;  ///< while two balls touch
     BallFriction friction_{BallBallSpec{}};
     ComplementarityProblem problem_;
     std::vector<Contact> group_;        ///< contacts of the group

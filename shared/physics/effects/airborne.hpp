@@ -14,7 +14,7 @@ namespace poolhall {
 
 /// What a scene says of it.
 struct AirborneSpec {
-    Real e_slate = 0.5;  ///< coefficient of restitution of ball and slate, 0 to 1
+    Real e_slate = 0.6;  ///< coefficient of restitution of ball and slate, 0 to 1
 
     static constexpr auto field_list() {
         return std::tuple{fields::of("e_slate", &AirborneSpec::e_slate, kShares).or_default()};

@@ -19,7 +19,6 @@ class PoolMouths {
   public:
     explicit PoolMouths(const SceneLike auto& scene)
         : table_(called_for(scene) ? scene.table : Table{}),
-          // The holes are at the mouths' middles, all on or beyond the long rails' noses.
           nose_{scene.table.length / 2, scene.table.width / 2},
           active_(called_for(scene)) {}
 
@@ -73,14 +72,14 @@ class PoolMouths {
         std::optional<CushionHit> first;
         for (const CushionLine& line : table_.lines()) {
             const Real closing = dot(v, line.normal);
-            const Real gap = dot(line.from - ball.r, line.normal) - ball.radius;
+            const Real gap = dot(line.from - ball.r, line.normal) - ball.reach;
             if (closing <= rounding || !faces(gap)) continue;
             const Real t = gap <= 0 ? 0 : gap / closing;
             if ((!first || t < first->t) && within(line, ball.r + t * v))
                 first = CushionHit{t, line.rail, line.normal};
         }
         for (const CushionArc& arc : table_.arcs()) {
-            const auto t = time_of_impact({ball.r, v}, {arc.centre, {}}, ball.radius + arc.radius);
+            const auto t = time_of_impact({ball.r, v}, {arc.centre, {}}, ball.reach + arc.radius);
             if (!t || (first && *t >= first->t)) continue;
             const Vec2 out = ball.r + *t * v - arc.centre;
             const Vec2 normal = -normalized(out);
@@ -91,9 +90,11 @@ class PoolMouths {
     }
 
   private:
-    /// Holes come into the table less far than their mouths are wide.
+    /// Holes come into the table a little, and places round.
     [[nodiscard]] Vec2 free_area() const {
-        return {nose_.x - kSideMouth.width, nose_.y - kSideMouth.width};
+        constexpr Real kGenerous = 1e-3;  // m
+        const Real depth = table_.hole_depth() + kGenerous;
+        return {nose_.x - depth, nose_.y - depth};
     }
 
     PoolTable table_;

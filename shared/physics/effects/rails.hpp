@@ -36,7 +36,7 @@ class Rails {
     /// the time, so it costs no division. Wider than any rounding.
     [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, Real time) const {
         constexpr Real kGenerous = 1 + 0x1p-30;
-        const Vec2 edge = this->edge(ball.radius);
+        const Vec2 edge = this->edge(ball.reach);
         return kGenerous * (abs(ball.r.x) + abs(v.x) * time) >= edge.x ||
                kGenerous * (abs(ball.r.y) + abs(v.y) * time) >= edge.y;
     }
@@ -46,21 +46,21 @@ class Rails {
 
     /// When the ball reaches a short rail (x) or a long rail (y).
     [[nodiscard]] std::optional<RailHit> next_short_rail(const MovingBall& ball, Vec2 v) const {
-        const std::optional<Real> t = time_to(ball.r.x, v.x, edge(ball.radius).x);
+        const std::optional<Real> t = time_to(ball.r.x, v.x, edge(ball.reach).x);
         if (!t) return std::nullopt;
         return RailHit{*t, v.x > 0 ? Rail::kEast : Rail::kWest};
     }
 
     [[nodiscard]] std::optional<RailHit> next_long_rail(const MovingBall& ball, Vec2 v) const {
-        const std::optional<Real> t = time_to(ball.r.y, v.y, edge(ball.radius).y);
+        const std::optional<Real> t = time_to(ball.r.y, v.y, edge(ball.reach).y);
         if (!t) return std::nullopt;
         return RailHit{*t, v.y > 0 ? Rail::kNorth : Rail::kSouth};
     }
 
     [[nodiscard]] bool is_there() const { return nose_.x < kInfinity; }
 
-    /// |x| and |y| of a ball of that radius that touches the rails, m.
-    [[nodiscard]] Vec2 edge(Real radius) const { return {nose_.x - radius, nose_.y - radius}; }
+    /// |x| and |y| of a ball of that reach that touches the rails, m.
+    [[nodiscard]] Vec2 edge(Real reach) const { return {nose_.x - reach, nose_.y - reach}; }
 
   private:
     Vec2 nose_;  ///< |x| and |y| of the noses, m

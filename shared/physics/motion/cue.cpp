@@ -1,5 +1,7 @@
 #include "shared/physics/motion/cue.hpp"
 
+#include <array>
+
 namespace poolhall {
 
 namespace {
@@ -25,7 +27,29 @@ Vec3 departure(const CueFrame& cue, Real tangent) {
     return 1 / sqrt(1 + tangent * tangent) * (cue.forward - tangent * cue.right);
 }
 
+constexpr std::array<CueSpec, kCount<CuePreset>> kCues{{
+    {0.5386, 0.73, 0.0106, 0.0085},
+    {0.5386, 0.73, 0.0106, 0.0057},
+    {0.5386, 0.84, 0.0106, 0.0142},
+}};
+
 }  // namespace
+
+CueSpec preset_value(CuePreset preset) {
+    return kCues[static_cast<std::size_t>(preset)];
+}
+
+Strike strike_of_ball(const Strike& strike, const BallSpec& ball) {
+    if (!strike.cue) return strike;
+    const CueSpec& cue = *strike.cue;
+    Strike felt = strike;
+    felt.cue.reset();
+    if (felt.end_mass_ratio == 0) felt.end_mass_ratio = cue.end_mass / ball.mass;
+    felt.offset = ball.radius / (ball.radius + cue.tip_radius) * strike.offset;
+    felt.speed = (1 + cue.e) * strike.speed /
+                 (1 + ball.mass / cue.mass + 2.5 * dot(felt.offset, felt.offset));
+    return felt;
+}
 
 Real squirt_tangent(Real side, Real end_mass_ratio) {
     const Real depth = (1 - side) * (1 + side);  // 1 - b^2 without cancellation

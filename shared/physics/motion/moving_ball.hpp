@@ -18,6 +18,7 @@ struct MovingBall {
     Real height = 0;  ///< of the centre above its height at rest, m
     Real climb = 0;   ///< vertical velocity, m/s
     Real radius = 0;  ///< m
+    Real reach = 0;   ///< to the nose of a rail that it touches, from above, m (rail_reach())
     Real mass = 0;    ///< kg
     Motion motion = Motion::kStationary;
     /// The ball met last, until anything else happens to either. Two bodies that move uniformly

@@ -9,7 +9,8 @@ namespace {
 
 /// On a pool table.
 MaybeError check_size(const Scene& scene, const SceneBall& ball, const std::string& pointer) {
-    if (!ball.radius || scene.table.pockets != PocketModel::kPool || fits_pool_table(*ball.radius))
+    if (!ball.radius || scene.table.pockets != PocketModel::kPool ||
+        fits_pool_table(scene.table, *ball.radius))
         return std::nullopt;
     return SceneError{pointer + "/radius", "is too large for the mouths of a pool table"};
 }

@@ -3,7 +3,9 @@
 #include "shared/physics/scene/field_checks.hpp"
 #include "shared/table/pool_table.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace poolhall::scene_checks {
 
@@ -26,11 +28,28 @@ MaybeError check_pockets(const Scene& scene) {
     if (table.pockets == PocketModel::kNone) return std::nullopt;
     if (!table.rails) return SceneError{"/table/pockets", "needs a table with rails"};
     if (table.pockets != PocketModel::kPool) return std::nullopt;
-    if (!is_large_enough_for_pool(table))
-        return SceneError{"/table", "is too small for six mouths: more than 0.319 m by 0.179 m"};
-    if (!fits_pool_table(scene.ball.radius))
+    if (const auto fault = fault_of_mouths(table))
+        return SceneError{"/table" + std::string(fault->pointer), std::string(fault->reason)};
+    if (!fits_pool_table(table, scene.ball.radius))
         return SceneError{"/ball/radius", "is too large for the mouths of a pool table"};
     return std::nullopt;
+}
+
+/// Whether every ball reaches above that height.
+bool all_balls_reach_above(const Scene& scene, Real height) {
+    return height < 2 * scene.ball.radius &&
+           std::all_of(scene.balls.begin(), scene.balls.end(),
+                       [&](const SceneBall& ball) { return height < 2 * radius_of(scene, ball); });
+}
+
+MaybeError check_contact_height(const Scene& scene) {
+    const Table& table = scene.table;
+    if (!table.nose_height || !table.rails) return std::nullopt;
+    if (!all_balls_reach_above(scene, *table.nose_height))
+        return SceneError{"/table/nose_height", "must be below the top of every ball"};
+    const RailSpec& rail = scene.effects.rail;
+    if (!has_nose(rail.model) || rail.nose_height == *table.nose_height) return std::nullopt;
+    return SceneError{"/table/nose_height", "must be the same as /effects/rail/nose_height"};
 }
 
 }  // namespace
@@ -45,6 +64,7 @@ MaybeError check_table(const Scene& scene) {
         return SceneError{"/table",
                           "is too small for its balls: both sides need at least two diameters"};
     }
+    if (auto error = check_contact_height(scene)) return error;
     return check_pockets(scene);
 }
 
@@ -52,10 +72,7 @@ MaybeError check_effects(const Scene& scene) {
     if (auto error = check_field(scene, "effects")) return error;
     const RailSpec& rail = scene.effects.rail;
     if (!has_nose(rail.model) || !scene.table.rails) return std::nullopt;
-    bool below_top = rail.nose_height < 2 * scene.ball.radius;
-    for (const SceneBall& ball : scene.balls)
-        below_top = below_top && rail.nose_height < 2 * radius_of(scene, ball);
-    if (below_top) return std::nullopt;
+    if (all_balls_reach_above(scene, rail.nose_height)) return std::nullopt;
     return SceneError{"/effects/rail/nose_height", "must be below the top of every ball"};
 }
 

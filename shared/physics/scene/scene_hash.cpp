@@ -58,7 +58,22 @@ class SceneHash {
 
     template <HasFieldList T>
     void add(const T& object) {
-        for_each_field(object, [this](const auto&, const auto& member) { this->add(member); });
+        for_each_field(object, [this](const auto& field, const auto& member) {
+            if constexpr (requires { *member; }) {
+                if (field.hashed_where_set) {
+                    this->add_if_there(field, member);
+                    return;
+                }
+            }
+            this->add(member);
+        });
+    }
+
+    template <class T>
+    void add_if_there(const auto& field, const std::optional<T>& x) {
+        if (!x) return;
+        add(field.name);
+        add(*x);
     }
 
     void add(const Effects& effects) {
@@ -78,9 +93,7 @@ class SceneHash {
     template <class Spec>
     void add_effect(const auto& field, const std::optional<Spec>& spec) {
         if (!field.absence_enters_the_hash) {
-            if (!spec) return;
-            add(field.name);
-            add(*spec);
+            add_if_there(field, spec);
             return;
         }
         const Spec none;

@@ -31,7 +31,7 @@ struct CushionHit {
 template <class Effect>
 concept StraightRailEffect = requires(const Effect& effect, const MovingBall& ball, Vec2 v) {
     effect.is_there();
-    effect.edge(Real{});  // |x| and |y| of a ball of that radius that touches them, m
+    effect.edge(Real{});  // |x| and |y| of a ball of that reach that touches them, m
     effect.may_reach(ball, v, Real{});
     effect.next_short_rail(ball, v);
     effect.next_long_rail(ball, v);

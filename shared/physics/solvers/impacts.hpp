@@ -43,7 +43,7 @@ void snap_to_rails(const Set& set, ShotRun& run) {
         for (const Contact& contact : run.workspace().contacts) {
             if (contact.kind != Contact::Kind::kRail) continue;
             MovingBall& ball = run.balls()[contact.a];
-            const Vec2 edge = rails.edge(ball.radius);
+            const Vec2 edge = rails.edge(ball.reach);
             if (contact.normal.x != 0) ball.r.x = contact.normal.x * edge.x;
             if (contact.normal.y != 0) ball.r.y = contact.normal.y * edge.y;
         }

@@ -106,7 +106,7 @@ class OverlapSolver {
     bool bounce(std::size_t i, Real dt, Real end) {
         const MovingBall& ball = run_.balls()[i];
         if (!in_play(ball)) return true;
-        const Vec2 edge = set_.template hook<hooks::StraightRails>().edge(ball.radius);
+        const Vec2 edge = set_.template hook<hooks::StraightRails>().edge(ball.reach);
         for (int round = 0; round < kMaxReflections; ++round) {
             if (abs(ball.r.x) > edge.x) {
                 reflect(i, ball.r.x > 0 ? Rail::kEast : Rail::kWest, dt, end);
@@ -122,7 +122,7 @@ class OverlapSolver {
     void reflect(std::size_t i, Rail rail, Real dt, Real end) {
         MovingBall& ball = run_.balls()[i];
         const bool short_rail = rail == Rail::kEast || rail == Rail::kWest;
-        const Vec2 edges = set_.template hook<hooks::StraightRails>().edge(ball.radius);
+        const Vec2 edges = set_.template hook<hooks::StraightRails>().edge(ball.reach);
         const Real edge = short_rail ? edges.x : edges.y;
         Real& r = short_rail ? ball.r.x : ball.r.y;
         const Real& v = short_rail ? ball.v.x : ball.v.y;

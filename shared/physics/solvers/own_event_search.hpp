@@ -73,7 +73,7 @@ class OwnEventSearch {
     }
 
     void find_rails(const StraightRailEffect auto& rails) {
-        const Vec2 edge = rails.edge(ball_.radius);
+        const Vec2 edge = rails.edge(ball_.reach);
         const Vec2 nose = rails.edge(0);
         if (reach_.high_x >= nose.x)
             touch(time_to(edge.x - ball_.r.x, ball_.v.x, arc_.a.x), Rail::kEast, {1, 0});
@@ -88,7 +88,7 @@ class OwnEventSearch {
     void find_cushions(const CushionEffect auto& mouths) {
         if (!mouths.may_reach(reach_)) return;
         for (const CushionLine& line : mouths.table().lines()) {
-            const Real gap = dot(line.from - ball_.r, line.normal) - ball_.radius;
+            const Real gap = dot(line.from - ball_.r, line.normal) - ball_.reach;
             const Real closing = dot(ball_.v, line.normal);
             const Real v = abs(closing) <= rounding_of(ball_.v) ? 0 : closing;
             const Real a = dot(arc_.a, line.normal);
@@ -97,7 +97,7 @@ class OwnEventSearch {
                 touch_first(dt, line.rail, line.normal);
         }
         for (const CushionArc& arc : mouths.table().arcs()) {
-            const Real dt = time_to_come_within(arc.centre, arc.radius + ball_.radius);
+            const Real dt = time_to_come_within(arc.centre, arc.radius + ball_.reach);
             if (!(dt <= horizon_)) continue;
             const Vec2 out = place_on(ball_, arc_, arc_.since + dt) - arc.centre;
             if (within(arc, out)) touch_first(dt, arc.rail, -normalized(out));

@@ -34,6 +34,7 @@ ShotRun::ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotT
         moving.height = ball.state.r.z;
         moving.climb = ball.state.v.z;
         moving.radius = radius_of(scene, ball);
+        moving.reach = rail_reach(scene.table, moving.radius);
         moving.mass = mass_of(scene, ball);
     }
     workspace_.contact_solver.prepare({.ball_ball = scene.effects.ball_ball,
@@ -51,7 +52,8 @@ void ShotRun::strike() {
     const std::size_t struck = scene_.strike->ball.value;
     MovingBall& ball = balls()[struck];
     const MovingBall before = ball;
-    const CueBallMotion motion = strike_motion(*scene_.strike, ball.radius);
+    const CueBallMotion motion =
+        strike_motion(strike_of_ball(*scene_.strike, {ball.radius, ball.mass}), ball.radius);
     ball.v = xy(motion.v);
     ball.climb = scene_.effects.airborne ? motion.v.z : 0;
     ball.w = motion.w;

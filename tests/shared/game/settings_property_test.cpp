@@ -23,7 +23,7 @@ GameSettings extreme_settings(testing::Random& random) {
     effects.sliding = SlidingSpec{any_of({0, kLeastGameFriction, 0.2, 10})};
     effects.rolling = RollingSpec{any_of({kLeastGameFriction, 0.01, 10})};
     effects.spin_decay = SpinDecaySpec{any_of({0, kLeastGameFriction, 10})};
-    effects.ball_ball.model = static_cast<BallBallModel>(random.below(3));
+    effects.ball_ball.model = static_cast<BallBallModel>(random.below(4));
     effects.ball_ball.e = any_of({0, 0.5, 1});
     effects.ball_ball.mu = any_of({0, 0.05, 10});
     effects.ball_ball.min_separation = any_of({0, 1e-4, 1});

@@ -17,11 +17,29 @@ TEST(HashOfScene, ChangesWithEveryFieldButTheScenesName) {
         EXPECT_EQ(pointer == "/id", hash_of(scene) == whole) << pointer;
     });
     // One of each kind, to see that the walk gets everywhere.
-    for (const char* pointer :
-         {"/table/rails", "/table/pockets/1/y", "/ball/mass", "/gravity", "/effects/sliding/mu",
-          "/effects/airborne", "/effects/ball_ball/friction_by_speed/c", "/effects/rail/model",
-          "/solver/kind", "/balls/0/w/2", "/balls/1/radius", "/balls", "/limits/events",
-          "/strike/ball", "/strike/offset/1", "/strike/end_mass_ratio", "/strike"})
+    for (const char* pointer : {"/table/rails",
+                                "/table/pockets/1/y",
+                                "/ball/mass",
+                                "/gravity",
+                                "/effects/sliding/mu",
+                                "/effects/airborne",
+                                "/effects/ball_ball/friction_by_speed/c",
+                                "/effects/rail/model",
+                                "/solver/kind",
+                                "/balls/0/w/2",
+                                "/balls/1/radius",
+                                "/balls",
+                                "/limits/events",
+                                "/strike/ball",
+                                "/strike/offset/1",
+                                "/strike/end_mass_ratio",
+                                "/strike/cue/e",
+                                "/strike/cue",
+                                "/strike",
+                                "/table/mouths/corner/jaw_radius",
+                                "/table/mouths",
+                                "/table/nose_height",
+                                "/effects/rail/e_by_speed/softening"})
         EXPECT_TRUE(seen.contains(pointer)) << pointer;
 }
 

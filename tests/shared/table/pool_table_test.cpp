@@ -229,14 +229,14 @@ TEST(PoolTable, SectorsDoNotDependOnTheLengthOfTheDirection) {
 }
 
 TEST(PoolTable, TablesShorterThanTheirMouthsAndBallsWiderThanThemAreRefused) {
-    EXPECT_TRUE(is_large_enough_for_pool(kTable));
-    EXPECT_TRUE(is_large_enough_for_pool({.length = 0.3194, .width = 0.1784}));
-    EXPECT_FALSE(is_large_enough_for_pool({.length = 0.3193, .width = 0.1784}));
-    EXPECT_FALSE(is_large_enough_for_pool({.length = 0.3194, .width = 0.1783}));
-    EXPECT_TRUE(fits_pool_table(kRadius));
-    EXPECT_TRUE(fits_pool_table(0.05248));
-    EXPECT_FALSE(fits_pool_table(0.05249));
-    EXPECT_FALSE(fits_pool_table(std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_FALSE(fault_of_mouths(kTable));
+    EXPECT_FALSE(fault_of_mouths({.length = 0.3016, .width = 0.1667}));
+    EXPECT_TRUE(fault_of_mouths({.length = 0.3014, .width = 0.1667}));
+    EXPECT_TRUE(fault_of_mouths({.length = 0.3016, .width = 0.1666}));
+    EXPECT_TRUE(fits_pool_table(kTable, kRadius));
+    EXPECT_TRUE(fits_pool_table(kTable, 0.05248));
+    EXPECT_FALSE(fits_pool_table(kTable, 0.05249));
+    EXPECT_FALSE(fits_pool_table(kTable, std::numeric_limits<double>::quiet_NaN()));
 }
 
 /// A ball's centre that goes straight on and is thrown back like light by everything it touches.
