@@ -4,8 +4,10 @@
 #include "client/lab/effects/effects_command.hpp"
 #include "client/lab/input/solver_option.hpp"
 #include "client/lab/simulate/simulate_command.hpp"
+#include "client/lab/validate/validate_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
@@ -15,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -28,6 +31,7 @@ struct Options {
     CompareOptions compare;
     AccuracyOptions accuracy;
     EffectsOptions effects;
+    ValidateOptions validate;
     std::string file = "-";
     std::string csv;
 };
@@ -143,11 +147,29 @@ void add_effects(CLI::App& app, EffectsOptions& options) {
     options.bar = isatty(STDERR_FILENO) == 1;
 }
 
+void add_validate(CLI::App& app, ValidateOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("validate", "The engine against published measurements, model by model");
+    command->add_option("--out", options.out, "Also writes DIR/validate.csv and DIR/validate.json")
+        ->type_name("DIR");
+    command
+        ->add_option("--recorded", options.recorded,
+                     "Also fits shots that a camera recorded: some minutes")
+        ->type_name("FILE");
+    options.threads = std::max(1U, std::thread::hardware_concurrency());
+    constexpr std::size_t kMostThreads = 1024;
+    command->add_option("--threads", options.threads, "That fit shots; the results are the same")
+        ->check(CLI::Range(std::size_t{1}, kMostThreads))
+        ->type_name("N");
+    options.bar = isatty(STDERR_FILENO) == 1;
+}
+
 Status run(const CLI::App& app, const Options& options) {
     if (app.got_subcommand("accuracy"))
         return measure_accuracy(options.accuracy, std::cout, std::cerr);
     if (app.got_subcommand("effects"))
         return measure_effects(options.effects, std::cout, std::cerr);
+    if (app.got_subcommand("validate")) return validate(options.validate, std::cout, std::cerr);
     if (app.got_subcommand("bench")) return bench(options.csv, std::cout, std::cerr);
     if (app.got_subcommand("hash")) return print_hashes(std::cout);
     if (app.got_subcommand("compare"))
@@ -166,6 +188,7 @@ int run_program(int argc, char** argv) {
     add_compare(app, options.compare);
     add_accuracy(app, options.accuracy);
     add_effects(app, options.effects);
+    add_validate(app, options.validate);
     CLI::App* bench =
         app.add_subcommand("bench", "Shots a second, ns an event, ns a ball-step, beside others");
     bench
