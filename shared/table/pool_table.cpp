@@ -176,7 +176,7 @@ bool closed(const RailEnd& end, Real r) {
 std::string_view fault_of(const MouthSpec& mouth, const RailEnd& end) {
     if (!(mouth.facing.y > 0) || mouth.facing.x < 0)
         return "must have facings that run out of the table and not away from the pocket";
-    if (!(dot(end.facing_to - end.facing_from, mouth.facing) > 0))
+    if (!(end.facing_to.y > end.facing_from.y))
         return "has jaws that are rounder than its cushions are wide";
     // A disc is convex: true for the smallest and the largest ball, true for all between.
     if (!(clearance(end) > 0) || !closed(end, 0) || !closed(end, clearance(end)))

@@ -121,6 +121,7 @@ std::vector<MovingBall> balls_of(const Scene& scene, const Cloth<Kernel>& cloth)
         ball.w = one.state.w;
         ball.climb = one.state.v.z;
         ball.radius = scene.ball.radius;
+        ball.reach = ball.radius;
         ball.mass = scene.ball.mass;
         cloth.settle(ball);
         balls.push_back(ball);

@@ -234,7 +234,7 @@ class Page(unittest.TestCase):
             for field, listed in CATALOG["listed"][effect].items():
                 self.assertIn(f"`{field}`", text)
                 if "default" in listed:
-                    self.assertIn(f"`{field}` ({listed['default']:g}", text, effect)
+                    self.assertIn(f"`{field}` ({listed['default']:.10g}", text, effect)
 
     def sections(self):
         """The text below each heading, up to the next heading of any level."""

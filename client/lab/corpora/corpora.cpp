@@ -3,7 +3,9 @@
 #include "client/lab/corpora/scene_makers.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/math/state_hash.hpp"
+#include "shared/physics/effects/presets.hpp"
 #include "shared/physics/simulate.hpp"
+#include "shared/table/presets.hpp"
 
 #include <array>
 
@@ -79,6 +81,33 @@ Scene jump(Random& random, int shot) {
     return scene;
 }
 
+/// Every table with its cloth and every cue in turn; half with rails touched at the nose, half with
+/// the cloth rubbing while two balls touch.
+template <SolverKind kSolver, int kHz>
+Scene preset_shot(Random& random, int shot) {
+    const auto table = kValues<TablePreset>[static_cast<std::size_t>(shot) % kCount<TablePreset>];
+    const bool snooker = table == TablePreset::kTwelveFootSnooker;
+    const bool carom = table == TablePreset::kTenFootCarom;
+    Scene scene =
+        scene_of({{-0.4, random.uniform(-0.3, 0.3)}, {0.2, 0}, {0.35, 0.1}, {0.35, -0.1}});
+    scene.table = preset_value(table);
+    scene.ball = preset_value(snooker ? BallSet::kSnooker
+                              : carom ? BallSet::kCarom
+                                      : BallSet::kWpa);
+    scene.effects = preset_value(snooker ? EffectsPreset::kSnooker
+                                 : carom ? EffectsPreset::kHeatedCarom
+                                         : EffectsPreset::kWorsted);
+    if (shot % 2 == 0) scene.table.nose_height = scene.effects.rail.nose_height;
+    if (shot % 4 < 2) scene.effects.ball_ball.model = BallBallModel::kMathavan2014;
+    if (shot % 3 == 0) scene.effects.rail.model = RailModel::kHan2005;
+    const Vec2 target{0.2, random.uniform(-0.05, 0.05)};
+    scene.strike = Strike{BallIndex{0}, target - xy(scene.balls[0].state.r), random.uniform(0.5, 8),
+                          random.uniform(0, 0.55) * random.direction()};
+    scene.strike->cue = preset_value(kValues<CuePreset>[static_cast<std::size_t>(shot) % 3]);
+    scene.solver = {kSolver, kHz};
+    return scene;
+}
+
 using enum SolverKind;
 
 constexpr std::array kCorpora{
@@ -101,6 +130,8 @@ constexpr std::array kCorpora{
     Corpus{"pool_event", 200, break_into_mouths<kEvent, 30>},
     Corpus{"jumps_semi_implicit_120", 60, jump<kSemiImplicit, 120>},
     Corpus{"jumps_event", 200, jump<kEvent, 30>},
+    Corpus{"presets_euler_120", 70, preset_shot<kEuler, 120>},
+    Corpus{"presets_event", 210, preset_shot<kEvent, 30>},
 };
 
 }  // namespace

@@ -68,6 +68,33 @@ void jump(Scene& scene) {
     scene.effects.airborne = AirborneSpec{};
 }
 
+void restitution_by_speed(Scene& scene) {
+    scene.effects.rail.e_by_speed.emplace();
+}
+
+void constant_restitution(Scene& scene) {
+    scene.effects.rail.e_by_speed.reset();
+}
+
+void touched_at_the_nose(Scene& scene) {
+    scene.table.nose_height = scene.effects.rail.nose_height;
+}
+
+void touched_at_the_side(Scene& scene) {
+    scene.table.nose_height.reset();
+}
+
+/// As other programs have them, for looks.
+void wide_jaws(Scene& scene) {
+    Mouths& mouths = scene.table.mouths.emplace();
+    mouths.corner.jaw_radius = 0.02095;
+    mouths.side.jaw_radius = 0.00795;
+}
+
+void sharp_jaws(Scene& scene) {
+    scene.table.mouths.reset();
+}
+
 constexpr auto kElasticBalls = balls_after<BallBallModel::kElastic>;
 constexpr auto kBallRestitution = balls_after<BallBallModel::kRestitution>;
 constexpr auto kElasticRails = rails_after<RailModel::kElastic>;
@@ -87,6 +114,9 @@ constexpr std::array kEffectCases{
                ball_restitution_of_one},
     EffectCase{"ball_ball friction", "throw_and_spin", as_it_is, kBallRestitution,
                frictionless_balls},
+    EffectCase{"ball_ball mathavan2014", "throw_and_spin",
+               balls_after<BallBallModel::kMathavan2014>, balls_after<BallBallModel::kFriction>,
+               nullptr},
     EffectCase{"rail restitution", "two_balls", kRailRestitution, kElasticRails,
                rail_restitution_of_one},
     EffectCase{"rail han2005", "throw_and_spin", rails_after<RailModel::kHan2005>, kRailRestitution,
@@ -94,6 +124,12 @@ constexpr std::array kEffectCases{
     EffectCase{"rail mathavan2010", "throw_and_spin", as_it_is, kRailRestitution, nullptr},
     EffectCase{"rail mathavan2010 fast", "throw_and_spin",
                rails_after<RailModel::kMathavan2010Fast>, kRailRestitution, nullptr},
+    EffectCase{"rail e_by_speed", "throw_and_spin", restitution_by_speed, constant_restitution,
+               nullptr},
+    EffectCase{"rails touched at the nose", "throw_and_spin", touched_at_the_nose,
+               touched_at_the_side, nullptr},
+    EffectCase{"jaws of 4 mm, not 21", "jaw_rattle", sharp_jaws, wide_jaws, nullptr},
+    EffectCase{"jaws of 4 mm, not 21", "nine_ball_break", sharp_jaws, wide_jaws, nullptr},
     EffectCase{"pockets end_game", "end_game", as_it_is, without_pockets, nullptr},
     EffectCase{"pockets circles", "two_balls", as_it_is, without_pockets, nullptr},
     EffectCase{"pockets pool", "nine_ball_break", as_it_is, without_pockets, nullptr},

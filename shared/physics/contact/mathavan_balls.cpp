@@ -7,10 +7,8 @@ namespace poolhall {
 namespace {
 
 constexpr int kMostSteps = 1000;
-constexpr Real kTolerance = 1e-10;  // of the estimated error of a step
-constexpr Real kShortest = 1e-11;   // step whose error is not looked at
-constexpr Real kAtRest = 1e-10;     // a slip as slow as this
-constexpr Real kFastest = 1e12;     // a faster slip keeps its direction all the while
+constexpr Real kAtRest = 1e-10;  // a slip as slow as this
+constexpr Real kFastest = 1e12;  // a faster slip keeps its direction all the while
 
 /// What has passed between the balls, and between the pressed one and the cloth, or its rate per
 /// impulse along n. Vectors have components along n, from the pressed ball to the other, and
@@ -47,7 +45,8 @@ class Impact {
   public:
     /// `share` is that of the other ball in the masses of both; slips at the beginning.
     Impact(const BallsOnCloth& coefficients, Real share, Vec2 balls_slip, Vec2 cloth_slip)
-        : mu_(coefficients.mu),
+        : tolerance_(coefficients.tolerance),
+          mu_(coefficients.mu),
           mu_table_(coefficients.mu_table),
           share_(share),
           balls_slip_(balls_slip),
@@ -70,6 +69,9 @@ class Impact {
         Passed change;
         Real error;
     };
+
+    /// A step whose error is not looked at.
+    [[nodiscard]] Real shortest() const { return 0.1 * tolerance_; }
 
     [[nodiscard]] Real approach(const Passed& at) const {
         return 1 - at.normal - share_ * at.cloth.x;
@@ -117,7 +119,7 @@ class Impact {
         for (; steps_ < kMostSteps; ++steps_) {
             const Passed rate = rates(at_);
             const Real end = until_end(rate);
-            if (abs(end) <= kShortest) {
+            if (abs(end) <= shortest()) {
                 at_ = at_ + end * rate;
                 return;
             }
@@ -140,9 +142,9 @@ class Impact {
     void try_step(const Passed& rate, Real h) {
         const Step step = dormand_prince(rate, h);
         const Real size = abs(h);
-        const Real fit = sqrt(sqrt(kTolerance / std::max(step.error, Real{1e-30})));
+        const Real fit = sqrt(sqrt(tolerance_ / std::max(step.error, Real{1e-30})));
         const Real next = size * std::clamp(0.65 * fit, Real{0.1}, Real{5});
-        if (size > kShortest && step.error > kTolerance) {
+        if (size > shortest() && step.error > tolerance_) {
             step_ = next;
             return;
         }
@@ -152,6 +154,7 @@ class Impact {
 
     [[nodiscard]] Step dormand_prince(const Passed& k1, Real h) const;
 
+    Real tolerance_;
     Real mu_;
     Real mu_table_;
     Real share_;
@@ -188,7 +191,8 @@ Impact::Step Impact::dormand_prince(const Passed& k1, Real h) const {
 /// A slip in units of the approach, without what makes no difference.
 Vec2 scaled(Vec2 slip, Real approach) {
     const Real speed = norm(slip);
-    return speed > kFastest * approach ? (kFastest / speed) * slip : (1 / approach) * slip;
+    if (speed > kFastest * approach) return (kFastest / speed) * slip;
+    return {slip.x / approach, slip.y / approach};
 }
 
 /// Of two balls of which the first is pressed on the cloth, n pointing to the second.

@@ -17,7 +17,8 @@ constexpr RestitutionBySpeed kPoolNose{0.975, 1.051, 0.134};
 constexpr RailSpec kPoolRail{RailModel::kMathavan2010, 0.98, 0.14, 0.03629025, kPoolNose};
 constexpr RailSpec kSnookerRail{RailModel::kMathavan2010, 0.98, 0.1, 0.03675,
                                 RestitutionBySpeed{0.995, 1.048, 0.126}};
-constexpr RailSpec kCaromRail{RailModel::kMathavan2010, 0.98, 0.14, 0.037, kPoolNose};
+constexpr RailSpec kCaromRail{RailModel::kMathavan2010, 0.98, 0.17, 0.037,
+                              RestitutionBySpeed{0.858, 0.6, 0.0155}};
 
 constexpr std::array<Row, kCount<EffectsPreset>> kRows{{
     {0.2, 0.01, 0.0127, kPoolRail},

@@ -170,5 +170,58 @@ TEST(Cue, NoSpeedGivesNoMotion) {
     EXPECT_EQ(Vec3{}, motion.w);
 }
 
+constexpr BallSpec kBall{kRadius, 0.17};
+
+TEST(Cue, OfAPlainKindSendsTheBallOffAtFourThirdsOfItsSpeed) {
+    Strike one = strike(2);
+    one.cue = preset_value(CuePreset::kPlain);
+    const Strike felt = strike_of_ball(one, kBall);
+    EXPECT_FALSE(felt.cue);
+    EXPECT_NEAR(2 * 1.73 / (1 + 0.17 / 0.5386), felt.speed, 1e-15);
+    EXPECT_NEAR(1.315, felt.speed / 2, 1e-3);
+    EXPECT_NEAR(0.05, felt.end_mass_ratio, 1e-15);
+    one.end_mass_ratio = 0.03;
+    EXPECT_EQ(0.03, strike_of_ball(one, kBall).end_mass_ratio);
+}
+
+TEST(Cue, WithAHardTipGivesMoreAndALighterBallMore) {
+    Strike one = strike(2);
+    one.cue = preset_value(CuePreset::kBreak);
+    EXPECT_NEAR(1.398, strike_of_ball(one, kBall).speed / 2, 1e-3);
+    EXPECT_GT(strike_of_ball(one, {kRadius, 0.14}).speed, strike_of_ball(one, kBall).speed);
+}
+
+TEST(Cue, TouchesNearerToTheMiddleThanItsAxisPoints) {
+    Strike one = strike(2, {0.3, -0.4});
+    one.cue.emplace();
+    const Strike felt = strike_of_ball(one, kBall);
+    const double nearer = kRadius / (kRadius + one.cue->tip_radius);
+    EXPECT_NEAR(0.5 * nearer, norm(felt.offset), 1e-15);
+    EXPECT_NEAR(0, cross(one.offset, felt.offset), 1e-15);
+    one.cue->tip_radius = 0;
+    EXPECT_EQ(one.offset, strike_of_ball(one, kBall).offset);
+}
+
+// Momentum of cue and ball, spin of the ball, and at the point of contact along the cue the
+// relative speed times -e.
+TEST(Cue, ObeysRestitutionWhereItTouches) {
+    testing::Random random(43);
+    for (int i = 0; i < 1000; ++i) {
+        Strike one = strike(random.uniform(0.1, 10), random.uniform(0, 0.6) * random.direction());
+        one.cue = CueSpec{random.uniform(0.3, 0.7), random.uniform(0, 1), 0, 0};
+        const Strike felt = strike_of_ball(one, kBall);
+        const CueBallMotion motion = strike_motion(felt, kRadius);
+        const double cue_after = one.speed - kBall.mass / one.cue->mass * felt.speed;
+        const Vec3 tip = kRadius * Vec3{0, -felt.offset.x, felt.offset.y};
+        const double surface = motion.v.x + cross(motion.w, tip).x;
+        EXPECT_NEAR(one.cue->e * one.speed, surface - cue_after, 1e-13 * one.speed);
+    }
+}
+
+TEST(Cue, AbsentLeavesTheStrikeAsItIs) {
+    const Strike one = strike(2, {0.3, -0.4}, 0.1, 0.05);
+    EXPECT_EQ(one, strike_of_ball(one, kBall));
+}
+
 }  // namespace
 }  // namespace poolhall

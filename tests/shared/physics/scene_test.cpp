@@ -166,7 +166,7 @@ const auto kBadScenes = std::to_array<BadScene>({
      [](Scene& s) {
          s.balls.resize(1);
          s.balls[0].state.r = {};
-         s.table.length = 0.31;
+         s.table.length = 0.3;
          s.table.width = 0.2;
          s.table.pockets = PocketModel::kPool;
      }},
