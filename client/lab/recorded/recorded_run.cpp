@@ -7,9 +7,10 @@ namespace poolhall::lab {
 namespace {
 
 TableConstants constants_of(RailModel model, double e, double nose_of_diameter) {
+    constexpr double kFriction = 0.2;
     TableConstants constants;
     constants.ball_ball.model = BallBallModel::kFriction;
-    constants.rail = {model, e, RailSpec{}.mu, nose_of_diameter * 2 * kRecordedBall.radius};
+    constants.rail = {model, e, kFriction, nose_of_diameter * 2 * kRecordedBall.radius};
     return constants;
 }
 
@@ -24,7 +25,10 @@ std::vector<RecordedModel> recorded_models(std::size_t threads) {
     mathavan.last = {200, 24, 3};
     mathavan.evaluations = 60;
     mathavan.rounds = 1;
+    TableConstants by_speed = constants_of(RailModel::kHan2005, 0.85, 0.6);
+    by_speed.rail.e_by_speed = RestitutionBySpeed{.e = 0.85, .best_speed = 1.5, .softening = 0.05};
     return {{"Han", constants_of(RailModel::kHan2005, 0.85, 0.6), han},
+            {"Han, e(v)", by_speed, han},
             {"Mathavan", constants_of(RailModel::kMathavan2010Fast, 0.9, 0.7), mathavan}};
 }
 

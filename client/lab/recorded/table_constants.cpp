@@ -24,16 +24,26 @@ void part_balls(Scene& scene) {
 
 }  // namespace
 
-std::vector<FittedConstant> fitted_constants(const RailSpec& /*rail*/) {
+std::vector<FittedConstant> fitted_constants(const RailSpec& rail) {
     using C = TableConstants;
-    return {{"mu_slide", [](C& c) { return &c.mu_slide; }, 0.08, 0.4, 0.03},
-            {"mu_roll", [](C& c) { return &c.mu_roll; }, 0.003, 0.007, 0.0003},
-            {"mu_spin", [](C& c) { return &c.mu_spin; }, 0, 0.04, -0.004},
-            {"rail e", [](C& c) { return &c.rail.e; }, 0.6, 1, 0.05},
-            {"rail mu", [](C& c) { return &c.rail.mu; }, 0.02, 0.6, 0.06},
-            {"nose height", [](C& c) { return &c.rail.nose_height; }, 0.033, 0.045, 0.001},
-            {"ball e", [](C& c) { return &c.ball_ball.e; }, 0.85, 1, -0.02},
-            {"ball mu", [](C& c) { return &c.ball_ball.mu; }, 0, 0.2, 0.02}};
+    std::vector<FittedConstant> all{
+        {"mu_slide", [](C& c) { return &c.mu_slide; }, 0.08, 0.4, 0.03},
+        {"mu_roll", [](C& c) { return &c.mu_roll; }, 0.003, 0.007, 0.0003},
+        {"mu_spin", [](C& c) { return &c.mu_spin; }, 0, 0.04, -0.004},
+        {"rail mu", [](C& c) { return &c.rail.mu; }, 0.02, 0.6, 0.06},
+        {"nose height", [](C& c) { return &c.rail.nose_height; }, 0.033, 0.045, 0.001},
+        {"ball e", [](C& c) { return &c.ball_ball.e; }, 0.85, 1, -0.02},
+        {"ball mu", [](C& c) { return &c.ball_ball.mu; }, 0, 0.2, 0.02}};
+    if (rail.e_by_speed) {
+        all.push_back({"rail e", [](C& c) { return &c.rail.e_by_speed->e; }, 0.6, 1, -0.05});
+        all.push_back(
+            {"best speed", [](C& c) { return &c.rail.e_by_speed->best_speed; }, 0.5, 5, 0.5});
+        all.push_back(
+            {"softening", [](C& c) { return &c.rail.e_by_speed->softening; }, 0, 0.5, 0.05});
+    } else {
+        all.push_back({"rail e", [](C& c) { return &c.rail.e; }, 0.6, 1, 0.05});
+    }
+    return all;
 }
 
 Scene scene_of(const RecordedShot& shot, const TableConstants& constants) {

@@ -66,8 +66,10 @@ Scene on_another_table(Scene scene, Random& random) {
         if (auto& law = effects.ball_ball.friction_by_speed) vary(law->b, kBallFriction);
     }
     if (effects.rail.model != RailModel::kElastic) {
+        const double rail_e = effects.rail.e;
         vary(effects.rail.e, kRailRestitution);
         effects.rail.e = std::min(effects.rail.e, 1.0);
+        if (auto& law = effects.rail.e_by_speed) law->e *= effects.rail.e / rail_e;
         vary(effects.rail.mu, kRailFriction);
     }
     return scene;

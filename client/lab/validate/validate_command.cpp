@@ -14,7 +14,7 @@ namespace poolhall::lab {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr std::size_t kBreaks = 1000;
+constexpr std::size_t kBreaks = 500;
 constexpr std::size_t kUnknownShots = 200;  ///< of each ensemble
 
 template <class Item>
