@@ -26,7 +26,8 @@ struct EnumName {
     std::string_view name;  ///< empty: nothing that a file or a message could say
 };
 
-template <class E, std::size_t kSize>
+// Only from an array can the compiler tell how many there are, as in std::to_array.
+template <class E, std::size_t kSize>  // NOLINTNEXTLINE(modernize-avoid-c-arrays)
 constexpr std::array<EnumName<E>, kSize> names_of(const EnumName<E> (&names)[kSize]) {
     return std::to_array(names);
 }

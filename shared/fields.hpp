@@ -51,7 +51,7 @@ struct Field {
     std::string_view name;  ///< in files and messages
     Access access;
     Bounds bounds = kAny;
-    std::string_view unit = "";            ///< SI; empty for a pure number
+    std::string_view unit{};               ///< SI; empty for a pure number
     bool may_be_left_out = false;          ///< in a file: the member keeps its initial value
     std::size_t least_components = 3;      ///< of a vector in space, in a file
     bool absence_enters_the_hash = false;  ///< of an optional member

@@ -44,9 +44,9 @@ SolverRun run_of(Simulator& simulator, const Scene& scene, const ComparisonLimit
     return run;
 }
 
-/// The event solver is exact; among the others more ticks are better.
+/// A solver without ticks is exact; among the others more ticks are better.
 double accuracy_of(const SolverSpec& solver) {
-    return solver.kind == SolverKind::kEvent ? 2 * kMaxSolverHz : solver.hz;
+    return has_ticks(solver.kind) ? solver.hz : 2 * kMaxSolverHz;
 }
 
 std::optional<std::size_t> most_accurate(const std::vector<SolverRun>& runs) {
@@ -80,7 +80,7 @@ Comparison compare_solvers(Scene scene, std::span<const SolverSpec> solvers,
 
 std::string label(const SolverSpec& solver) {
     const std::string kind(name(solver.kind));
-    return solver.kind == SolverKind::kEvent ? kind : kind + formatted(":%g", solver.hz);
+    return has_ticks(solver.kind) ? kind + formatted(":%g", solver.hz) : kind;
 }
 
 std::optional<FarthestBall> farthest_ball(const SolverRun& run) {

@@ -168,7 +168,10 @@ int run_program(int argc, char** argv) {
     add_effects(app, options.effects);
     CLI::App* bench =
         app.add_subcommand("bench", "Shots a second, ns an event, ns a ball-step, beside others");
-    bench->add_option("--csv", options.csv, "Also write the table as CSV")->type_name("FILE");
+    bench
+        ->add_option("--csv", options.csv,
+                     "Also write the table as CSV; - writes that to standard output, and no table")
+        ->type_name("FILE");
     app.add_subcommand("hash", "The hash of each corpus of shots: the same on every machine");
     try {
         app.parse(argc, argv);

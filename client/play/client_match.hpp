@@ -18,6 +18,8 @@ struct MatchInfo {
     PerSeat<bool> mine{};  ///< seats played from here
     Link link = Link::kOffline;
     std::optional<double> round_trip_ms;
+    /// When the shot clock of the turn runs down, s on the clock of poll(); none while none runs.
+    std::optional<double> clock_ends;
     std::string kernel;  ///< that simulated the last shot; empty before one
     /// Why there is no table, or that the connection is lost; one sentence, empty when all is well.
     std::string trouble;

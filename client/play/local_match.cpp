@@ -36,6 +36,7 @@ void LocalMatch::poll(double now) {
     } else if (now_ms() >= *end) {
         play(core_.now().legal.seat, TimeOut{});
     }
+    show_clock();
 }
 
 double LocalMatch::due_in(double now) const {
@@ -87,6 +88,11 @@ void LocalMatch::take(MatchStep step) {
     }
     core_.commit(std::move(step), now_ms() + static_cast<std::int64_t>(1000 * shown_for));
     show_position();
+}
+
+void LocalMatch::show_clock() {
+    info_.clock_ends.reset();
+    if (const auto end = core_.clock_ends_ms()) info_.clock_ends = 1e-3 * static_cast<double>(*end);
 }
 
 void LocalMatch::toggle_hot_seat() {

@@ -28,6 +28,7 @@ class LocalMatch : public ClientMatch {
     void play(Seat seat, const Move& move);
     void take(MatchStep step);
     void show_position();
+    void show_clock();
     [[nodiscard]] std::int64_t now_ms() const;
 
     Match core_;

@@ -136,6 +136,7 @@ void RemoteMatch::on(const Opened& /*event*/) {
 void RemoteMatch::on(const Lost& event) {
     info_.link = info_.table ? Link::kLost : Link::kConnecting;
     info_.round_trip_ms.reset();
+    info_.clock_ends.reset();
     info_.trouble = closing_reason_.empty() ? event.reason : closing_reason_;
     aim_unsent_ = false;
 }
@@ -208,6 +209,7 @@ void RemoteMatch::on(const protocol::ShotStarted& message) {
     if (!info_.table) return;
     aim_unsent_ = false;
     info_.table->phase = Phase::kPlaying;
+    info_.clock_ends.reset();
     info_.table->shot = message.shot;
     ShotTimeline timeline(positions_of(message.scene));
     playback_.begin({message.shot, message.scene, info_.table->state.cue_ball, std::move(timeline),
@@ -295,6 +297,8 @@ void RemoteMatch::show_table(const TableState& table) {
                             info_.table->game_number == table.game_number &&
                             info_.table->legal.seat == table.legal.seat;
     const auto before = std::exchange(info_.table, table);
+    info_.clock_ends.reset();
+    if (table.clock_left_ms) info_.clock_ends = received_at_ + 1e-3 * *table.clock_left_ms;
     if (!before) return;
     if (mine_stand) {
         info_.table->aim = before->aim;

@@ -72,6 +72,7 @@ struct MatchView {
     std::string code;  ///< join code as people read it, "BCD-FGH"; empty in practice
     std::array<SeatView, kSeatCount> seats;
     std::optional<Seat> turn;
+    std::optional<std::uint32_t> seconds_left;  ///< of the turn, where a shot clock runs
     std::uint32_t spectators = 0;
     Link link = Link::kOffline;
     std::optional<double> round_trip_ms;

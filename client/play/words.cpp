@@ -3,6 +3,7 @@
 #include "client/play/isolated.hpp"
 #include "client/play/ruling_text.hpp"
 #include "protocol/text.hpp"
+#include "shared/physics/simulate.hpp"
 
 #include <array>
 #include <cstdio>
@@ -115,8 +116,20 @@ std::string physics_of(const MatchInfo& info) {
     std::string words(name(kind));
     std::array<char, 32> rate{};
     std::snprintf(rate.data(), rate.size(), " %g Hz", hz);
-    if (kind != SolverKind::kEvent) words += rate.data();
+    if (has_ticks(kind)) words += rate.data();
     return info.kernel.empty() ? words : words + ", " + info.kernel;
+}
+
+std::string clock_text(std::uint32_t seconds) {
+    constexpr std::uint32_t kMinute = 60;
+    std::array<char, 32> text{};
+    if (seconds < kMinute) {
+        std::snprintf(text.data(), text.size(), "%u s", seconds);
+    } else {
+        std::snprintf(text.data(), text.size(), "%u:%02u min", seconds / kMinute,
+                      seconds % kMinute);
+    }
+    return text.data();
 }
 
 bool has_own_physics(const MatchInfo& info) {

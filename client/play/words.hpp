@@ -3,6 +3,7 @@
 #include "client/play/shown_table.hpp"
 #include "client/play/view_state.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace poolhall::client {
@@ -23,6 +24,9 @@ namespace poolhall::client {
 
 /// "euler 30 Hz, drag_rails_pockets": the solver, and the kernel of the last shot if there was one.
 [[nodiscard]] std::string physics_of(const MatchInfo& info);
+
+/// "45 s", "1:05 min": what is left of a turn.
+[[nodiscard]] std::string clock_text(std::uint32_t seconds);
 
 /// Whether the match is played with other physics than its game's own.
 [[nodiscard]] bool has_own_physics(const MatchInfo& info);

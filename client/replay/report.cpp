@@ -1,7 +1,9 @@
 #include "client/replay/report.hpp"
 
+#include "protocol/intake/text_width.hpp"
 #include "protocol/replay/record_text.hpp"
 #include "protocol/text.hpp"
+#include "shared/physics/simulate.hpp"
 
 #include <array>
 #include <cmath>
@@ -43,6 +45,12 @@ std::string fixed(double number, int digits) {
     return text.data();
 }
 
+/// With blanks at its end, for a column of so many places; std::setw counts bytes.
+std::string padded(const std::string& text, std::size_t places) {
+    const std::size_t width = protocol::text_width(text);
+    return text + std::string(width < places ? places - width : 0, ' ');
+}
+
 std::string direction_text(Vec2 direction) {
     const Vec2 unit = normalized(direction);
     return fixed(unit.x, 4) + "," + fixed(unit.y, 4);
@@ -51,7 +59,7 @@ std::string direction_text(Vec2 direction) {
 /// "euler:30", or "event", which has no rate.
 std::string solver_text(const SolverSpec& solver) {
     const std::string kind(name(solver.kind));
-    if (solver.kind == SolverKind::kEvent) return kind;
+    if (!has_ticks(solver.kind)) return kind;
     std::array<char, 32> rate{};
     std::snprintf(rate.data(), rate.size(), ":%g", solver.hz);
     return kind + rate.data();
@@ -74,7 +82,7 @@ struct ShotRow {
 
 void print_row(std::ostream& out, const ShotRow& row) {
     out << std::right << std::setw(6) << row.shot << "  " << std::setw(4) << int{row.seat.value}
-        << "  " << std::left << std::setw(kNameWidth) << row.player << std::setw(16)
+        << "  " << std::left << padded(row.player, kNameWidth) << std::setw(16)
         << direction_text(row.direction) << std::right << std::setw(8) << fixed(row.speed, 3)
         << std::setw(9) << fixed(row.duration, 3) << std::setw(8) << row.events << "  " << std::left
         << std::setw(12) << row.ruling << std::setw(kSolverWidth) << solver_text(row.solver)
@@ -218,7 +226,7 @@ void ReplayPrinter::print_record(const protocol::MoveRecord& move) {
 void ReplayPrinter::print_move(const protocol::MoveRecord& move, const std::string& words) {
     out_ << std::right << std::setw(6) << "-"
          << "  " << std::setw(4) << int{move.seat.value} << "  " << std::left
-         << std::setw(kNameWidth) << name_of(move.seat) << std::setw(43) << words << std::setw(12)
+         << padded(name_of(move.seat), kNameWidth) << std::setw(43) << words << std::setw(12)
          << verdict_text(move.ruling) << std::setw(kSolverWidth) << "-" << std::setw(kKernelWidth)
          << "state" << to_hex(move.state_hash) << '\n';
 }

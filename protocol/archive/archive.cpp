@@ -76,17 +76,17 @@ Result<ReplayArchive, ArchiveError> ReplayArchive::open(const std::filesystem::p
     }
 }
 
-/// What the query finds. It is asked again where a server began or ended under it.
+/// What the query finds. It is asked again where a server began, ended or was killed under it.
 template <class Query>
 auto ReplayArchive::read(Query query) const
     -> Result<decltype(query(std::declval<SQLite::Database&>())), ArchiveError> {
     for (int tries = 1; tries <= kTries; ++tries) {
         try {
+            if (tries > 1) *connection_ = ReadConnection(path_);
             auto found = query(connection_->database());
             if (connection_->is_current()) return found;
-            *connection_ = ReadConnection(path_);
         } catch (const SQLite::Exception& failure) {
-            if (connection_->is_current() || tries == kTries)
+            if (tries == kTries || (tries > 1 && connection_->is_current()))
                 return ArchiveError{describe(path_, failure, Access::kRead)};
         }
     }

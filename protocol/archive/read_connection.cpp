@@ -25,21 +25,54 @@ int open_no_log_for_writing(sqlite3_vfs* vfs, const char* name, sqlite3_file* fi
     return sqlite3_vfs_find("unix")->xOpen(vfs, name, file, flags, flags_out);
 }
 
+int remove_nothing(sqlite3_vfs* /*vfs*/, const char* /*name*/, int /*sync*/) {
+    return SQLITE_OK;
+}
+
+int lock_nothing(sqlite3_file* /*file*/, int /*lock*/) {
+    return SQLITE_OK;
+}
+
+int find_no_lock(sqlite3_file* /*file*/, int* held) {
+    *held = 0;
+    return SQLITE_OK;
+}
+
+/// Opens databases whose locks it neither takes nor looks at. (SQLite's own "unix-none" also takes
+/// the locks of a server in the same process away, when it closes the file.)
+int open_without_locks(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags,
+                       int* flags_out) {
+    const int code = open_no_log_for_writing(vfs, name, file, flags, flags_out);
+    if (code != SQLITE_OK || (flags & SQLITE_OPEN_MAIN_DB) == 0) return code;
+    static const sqlite3_io_methods without_locks = [file] {
+        sqlite3_io_methods methods = *file->pMethods;
+        methods.xLock = lock_nothing;
+        methods.xUnlock = lock_nothing;
+        methods.xCheckReservedLock = find_no_lock;
+        return methods;
+    }();
+    file->pMethods = &without_locks;
+    return code;
+}
+
 constexpr const char* kLocking = "poolhall-reader";
 constexpr const char* kAlone = "poolhall-reader-alone";  ///< without locks
 
-/// Like one of SQLite's own, but for logs.
-sqlite3_vfs reader_of(const char* base, const char* name) {
-    sqlite3_vfs vfs = *sqlite3_vfs_find(base);
+using Open = decltype(sqlite3_vfs::xOpen);
+
+/// Like SQLite's own, but for how it opens files, and it removes none.
+sqlite3_vfs reader(const char* name, Open open) {
+    sqlite3_vfs vfs = *sqlite3_vfs_find("unix");
     vfs.pNext = nullptr;
     vfs.zName = name;
-    vfs.xOpen = open_no_log_for_writing;
+    vfs.xOpen = open;
+    vfs.xDelete = remove_nothing;
     return vfs;
 }
 
 void register_once() {
-    static sqlite3_vfs locking = reader_of("unix", kLocking);
-    static sqlite3_vfs alone = reader_of("unix-none", kAlone);
+    static sqlite3_vfs locking = reader(kLocking, open_no_log_for_writing);
+    static sqlite3_vfs alone = reader(kAlone, open_without_locks);
     static const int registered =
         sqlite3_vfs_register(&locking, 0) | sqlite3_vfs_register(&alone, 0);
     static_cast<void>(registered);
@@ -55,6 +88,22 @@ std::string uri_of(const std::filesystem::path& path) {
         }
     }
     return uri;
+}
+
+/// Whether a server keeps the index of the log, which SQLite tells by the server's lock. It is
+/// asked of SQLite: who closes a file by himself gives up all the locks of his process on it.
+bool index_is_kept(SQLite::Database& database) {
+    constexpr int kFirstRegion = 0;
+    constexpr int kRegionBytes = 32'768;
+    sqlite3_file* file = nullptr;
+    sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
+    volatile void* index = nullptr;
+    const int code = file->pMethods->xShmMap(file, kFirstRegion, kRegionBytes, 0, &index);
+    file->pMethods->xShmUnmap(file, 0);
+    if (code == SQLITE_READONLY_CANTINIT || code == SQLITE_BUSY) return false;
+    if (code != SQLITE_OK && code != SQLITE_READONLY)
+        throw SQLite::Exception(sqlite3_errstr(code), code);
+    return true;
 }
 
 }  // namespace
@@ -79,19 +128,37 @@ bool ReadConnection::is_current() const {
 
 void ReadConnection::open_once() {
     const std::int64_t log_size = stamp_[4];
-
-    struct stat index {};
-
-    sees_writers_ = log_size > 0 && ::stat((path_.string() + "-shm").c_str(), &index) == 0;
+    sees_writers_ = false;
     if (log_size == 0) {
         connect(kLocking, "immutable=1");
-    } else if (sees_writers_) {
-        connect(kLocking, "readonly_shm=1");
+        read_once();
     } else {
-        connect(kAlone, "mode=ro");
-        database_->exec("PRAGMA locking_mode = EXCLUSIVE");  // then SQLite wants no index file
+        sees_writers_ = open_with_index();
+        if (!sees_writers_) open_alone();
     }
-    // Only a first read opens the log.
+}
+
+bool ReadConnection::open_with_index() {
+    struct stat index {};
+
+    if (::stat((path_.string() + "-shm").c_str(), &index) != 0) return false;
+    connect(kLocking, "readonly_shm=1");
+    if (!index_is_kept(*database_)) return false;
+    try {
+        read_once();
+        return true;
+    } catch (const SQLite::Exception&) {
+        return false;  // It is being made, or the server was killed while it changed it.
+    }
+}
+
+void ReadConnection::open_alone() {
+    connect(kAlone, "mode=ro");
+    database_->exec("PRAGMA locking_mode = EXCLUSIVE");  // then SQLite wants no index file
+    read_once();
+}
+
+void ReadConnection::read_once() {
     static_cast<void>(database_->execAndGet("PRAGMA user_version"));
 }
 

@@ -13,10 +13,10 @@ namespace poolhall::protocol {
 /// while one ran:
 ///
 /// - Without a write-ahead log the database alone is complete, and is read as an immutable file.
-/// - With a log and its index (-wal, -shm) both are used, the index read-only: SQLite makes an
-/// index
-///   of its own in memory if no server keeps that one up to date.
-/// - With a log alone the index is in memory too.
+/// - With a log whose index (-wal, -shm) a server keeps, both are used, the index read-only.
+/// - With a log that no server keeps an index of, an index is made in memory. SQLite would do so by
+///   itself where it may not write the one on the disk, but waits 10 s and gives up ("locking
+///   protocol") if the log has a header only, as a server leaves it that is killed as it begins.
 ///
 /// The first and the last need no lock and see no server that begins meanwhile: ask is_current().
 class ReadConnection {
@@ -36,6 +36,9 @@ class ReadConnection {
     using Stamp = std::array<std::int64_t, 6>;
 
     void open_once();
+    [[nodiscard]] bool open_with_index();  ///< whether a server keeps it, and it can be read
+    void open_alone();
+    void read_once();  ///< only a first read opens the log
     void connect(const char* vfs, const char* parameter);
     [[nodiscard]] Stamp stamp() const;
 

@@ -45,16 +45,9 @@ struct FinalBallForm {
 };
 
 template <>
-inline constexpr auto kFields<FinalBallForm> = std::tuple{
-    field("motion", &FinalBallForm::motion),
-    field("pocket", &FinalBallForm::pocket),
-    field(
-        "r", [](auto& ball) -> auto& { return ball.state.r; }, Vector3{}),
-    field(
-        "v", [](auto& ball) -> auto& { return ball.state.v; }, Vector3{}),
-    field(
-        "w", [](auto& ball) -> auto& { return ball.state.w; }, Vector3{}),
-};
+inline constexpr auto kFields<FinalBallForm> = std::tuple_cat(
+    std::tuple{field("motion", &FinalBallForm::motion), field("pocket", &FinalBallForm::pocket)},
+    within(&FinalBallForm::state, kFields<BallState>));
 
 struct FinalBallCodec {
     [[nodiscard]] bool read(const Cursor& cursor, FinalBall& ball) const;

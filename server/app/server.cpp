@@ -73,7 +73,7 @@ struct Server::State {
     void reopen_matches(const OpenMatches& open);
     void schedule_sweep();
     bool wait_for_sessions(std::chrono::milliseconds limit) const;
-    void run_rest();
+    void run_rest() const;
 
     Counters counters;
     Admission admission;  // before the loops, which have connections to the end
@@ -121,7 +121,7 @@ bool Server::State::wait_for_sessions(std::chrono::milliseconds limit) const {
 
 /// Tasks that are left hold sessions of other loops, which must be gone before those loops are; and
 /// every command that was begun is answered.
-void Server::State::run_rest() {
+void Server::State::run_rest() const {
     for (bool ran = true; ran;) {
         store->flush();
         ran = shards->run_ready();

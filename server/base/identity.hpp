@@ -13,9 +13,9 @@ inline constexpr std::string_view kServerName = "poolhall " POOLHALL_VERSION;
 /// time to play must run out by that.
 inline std::int64_t unix_ms() {
     using namespace std::chrono;
-    static const auto kStart = system_clock::now().time_since_epoch();
-    static const auto kStartSteady = steady_clock::now();
-    return duration_cast<milliseconds>(kStart + (steady_clock::now() - kStartSteady)).count();
+    static const auto start = system_clock::now().time_since_epoch();
+    static const auto start_steady = steady_clock::now();
+    return duration_cast<milliseconds>(start + (steady_clock::now() - start_steady)).count();
 }
 
 }  // namespace poolhall::server

@@ -29,9 +29,9 @@ std::string to_hex(std::span<const unsigned char> bytes) {
     return text;
 }
 
-template <std::size_t ByteCount>
+template <std::size_t kByteCount>
 std::string random_hex() {
-    std::array<unsigned char, ByteCount> bytes{};
+    std::array<unsigned char, kByteCount> bytes{};
     fill_random(bytes);
     return to_hex(bytes);
 }

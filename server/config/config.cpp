@@ -159,8 +159,10 @@ Result<ServerConfig, ConfigExit> load_config(int argc, const char* const* argv) 
     CLI::App app("Serves matches of pool to players and spectators, and logs every shot.",
                  "poolhall-server");
     app.set_version_flag("--version", std::string(kServerName));
-    app.add_option("--config", file,
-                   "TOML file with these settings; flags and environment come before it")
+    app.add_option(
+           "--config", file,
+           "TOML file with these settings, - for standard input; flags and environment come "
+           "before it")
         ->type_name("FILE")
         ->envname("POOLHALL_CONFIG");
     for (const Setting& setting : kSettings)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -25,8 +26,12 @@ decltype(TomlSetting::value) value_of(const toml::node& node) {
 }
 
 std::optional<std::string> read_text(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
+    if (path == "-") {
+        text << std::cin.rdbuf();
+        return text.str();
+    }
+    std::ifstream file(path, std::ios::binary);
     if (!file || !(text << file.rdbuf())) return std::nullopt;
     return text.str();
 }

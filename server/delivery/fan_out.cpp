@@ -60,8 +60,8 @@ void FanOut::add(const Member& member, Stream stream) {
 void FanOut::remove(MemberId member) {
     const auto found = followers_.find(member);
     if (found == followers_.end()) return;
-    const auto [address, stream] = found->second;
-    --counts_[index(stream)][index(address.encoding)];
+    const Member address = found->second.member;
+    --counts_[index(found->second.stream)][index(address.encoding)];
     Branch& branch = branch_of(address.shard);
     shards_.at(address.shard).loop().post([audience = branch.audience, member] {
         std::erase_if(audience->listeners,

@@ -97,7 +97,8 @@ HttpReply list_replays(const ReplayStore& store, std::size_t limit,
     for (const protocol::ReplaySummary& replay : *page) {
         json listed{{"id", replay.id},       {"position", replay.position},
                     {"game", replay.game},   {"names", replay.names},
-                    {"shots", replay.shots}, {"created_ms", replay.created_ms}};
+                    {"shots", replay.shots}, {"games", replay.games},
+                    {"wins", replay.wins},   {"created_ms", replay.created_ms}};
         if (replay.closed_ms) listed["closed_ms"] = *replay.closed_ms;
         replays.push_back(std::move(listed));
     }

@@ -81,7 +81,7 @@ class Room : public std::enable_shared_from_this<Room> {
     void pump();
     /// Stores the jobs, then goes on with `then(error)`, on the loop; the queue waits for it.
     template <class Then>
-    void store(std::vector<StoreJob> jobs, Then then);
+    void store(std::vector<StoreJob>&& jobs, Then then);
     void store_all(std::vector<StoreJob> jobs, std::function<void(StoreError)> then);
 
     void handle(Request request, const RoomCommand& command);
@@ -158,7 +158,7 @@ void Room::enqueue(Task task) {
 }
 
 template <class Then>
-void Room::store(std::vector<StoreJob> jobs, Then then) {
+void Room::store(std::vector<StoreJob>&& jobs, Then then) {
     store_all(std::move(jobs), [shared = std::make_shared<Then>(std::move(then))](
                                    const StoreError& error) { (*shared)(error); });
 }

@@ -1,6 +1,7 @@
 #include "shared/game/settings.hpp"
 
 #include "shared/physics/check.hpp"
+#include "shared/physics/simulate.hpp"
 
 #include <string>
 
@@ -45,7 +46,7 @@ MaybeError check_rest(const Effects& effects) {
 MaybeError check_solver(const SolverSpec& solver) {
     if (solver.kind == SolverKind::kOverlap)
         return SceneError{"/solver/kind", "must not be overlap in a game: it misses impacts"};
-    if (solver.kind == SolverKind::kEvent || solver.hz <= kMaxGameHz) return std::nullopt;
+    if (!has_ticks(solver.kind) || solver.hz <= kMaxGameHz) return std::nullopt;
     return SceneError{"/solver/hz", "must be at most 1000 in a game"};
 }
 

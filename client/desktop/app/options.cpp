@@ -43,8 +43,10 @@ void declare(CLI::App& app, Typed& typed) {
     auto* practice = app.add_flag("--practice", typed.practice,
                                   "play alone and offline (the default without a server)");
     practice->excludes("--server")->excludes(match);
-    app.add_option("--physics", typed.physics,
-                   "play with the effects and the solver of this poolhall.scene/1 file")
+    app.add_option(
+           "--physics", typed.physics,
+           "play with the effects and the solver of this poolhall.scene/1 file; - for standard "
+           "input")
         ->type_name("FILE")
         ->excludes(match);
     app.add_option("--encoding", typed.encoding, "of the messages")

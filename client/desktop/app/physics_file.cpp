@@ -5,7 +5,8 @@
 #include "protocol/tree.hpp"
 
 #include <fstream>
-#include <iterator>
+#include <iostream>
+#include <istream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -15,14 +16,20 @@ namespace {
 /// Far more than a scene with its 1024 balls takes.
 constexpr std::size_t kMaxFileBytes = 1U << 20U;
 
-/// The file's bytes, up to one more than allowed; none if it cannot be read.
-std::optional<std::string> read_file(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
+/// The bytes, up to one more than allowed.
+std::string read_some(std::istream& file) {
     std::string text(kMaxFileBytes + 1, '\0');
-    if (!file || std::filesystem::is_directory(path)) return std::nullopt;
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
     return text;
+}
+
+/// None if it cannot be read.
+std::optional<std::string> read_file(const std::filesystem::path& path) {
+    if (path == "-") return read_some(std::cin);
+    std::ifstream file(path, std::ios::binary);
+    if (!file || std::filesystem::is_directory(path)) return std::nullopt;
+    return read_some(file);
 }
 
 std::string at(const SceneError& error) {
@@ -34,7 +41,8 @@ std::string at(const SceneError& error) {
 
 Result<GameSettings, std::string> read_physics(const std::filesystem::path& path,
                                                const Ruleset& rules) {
-    const std::string file = protocol::shown(path.string()) + ": ";
+    const std::string file =
+        (path == "-" ? "standard input" : protocol::shown(path.string())) + ": ";
     const auto text = read_file(path);
     if (!text) return file + "cannot be read";
     if (text->size() > kMaxFileBytes) return file + "is longer than 1 MiB";

@@ -105,6 +105,7 @@ void TableController::update(double dt, double now, const Steering& steering) {
     if (solvers_.poll()) ++revision_;
     refresh();
     pause_before_new_game();
+    if (seconds_left() != std::exchange(seconds_shown_, seconds_left())) ++revision_;
     steer(dt, steering);
 }
 
@@ -246,6 +247,12 @@ std::vector<SolverView> TableController::solver_views() const {
     return solvers_.view(shown ? playback_.time() : std::numeric_limits<double>::infinity());
 }
 
+std::optional<std::uint32_t> TableController::seconds_left() const {
+    const auto& ends = match_.info().clock_ends;
+    if (!ends || !shown_.at_rest()) return std::nullopt;
+    return static_cast<std::uint32_t>(std::ceil(std::max(0.0, *ends - now_)));
+}
+
 MatchView TableController::match_view() const {
     const MatchInfo& info = match_.info();
     MatchView view;
@@ -258,6 +265,7 @@ MatchView TableController::match_view() const {
     const bool has_turn =
         table->phase == protocol::Phase::kAiming || table->phase == protocol::Phase::kPlaying;
     if (has_turn) view.turn = table->legal.seat;
+    view.seconds_left = seconds_left();
     for (std::size_t i = 0; i < kSeatCount; ++i) {
         const auto& seat = table->seats[i];
         view.seats[i] = {seat.taken ? isolated(seat.name) : "", seat.connected, info.mine[i],

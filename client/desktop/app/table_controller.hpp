@@ -74,6 +74,8 @@ class TableController {
     [[nodiscard]] Vec2 cue_ball() const;
     [[nodiscard]] std::optional<AimView> aim_view() const;
     [[nodiscard]] std::vector<SolverView> solver_views() const;
+    /// Of the shot clock, in whole seconds that have begun; none while none runs or balls move.
+    [[nodiscard]] std::optional<std::uint32_t> seconds_left() const;
 
     ClientMatch& match_;
     Playback& playback_;
@@ -87,6 +89,7 @@ class TableController {
     std::optional<double> ended_at_;  ///< when the end of the game was seen, s
     std::string status_;
     double status_until_ = 0;
+    std::optional<std::uint32_t> seconds_shown_;
     double now_ = 0;
     std::uint64_t revision_ = 0;
 };

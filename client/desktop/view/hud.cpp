@@ -1,6 +1,7 @@
 #include "client/desktop/view/hud.hpp"
 
 #include "client/desktop/render/colour.hpp"
+#include "client/play/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,11 +20,14 @@ constexpr SDL_Color kGood{92, 208, 140, 255};
 constexpr SDL_Color kWarn{255, 168, 76, 255};
 constexpr std::string_view kBetween = "  \xC2\xB7  ";
 
+constexpr std::uint32_t kHurry = 10;  ///< s of the shot clock
+
 // A seat's panel, in pixels.
 struct SeatPanel {
     SDL_FRect box;
     const SeatView& seat;
     bool turn;
+    std::optional<std::uint32_t> seconds_left;  ///< of its turn, where a clock runs
 };
 
 void add_turn_marker(Mesh& mesh, SDL_FPoint left_middle, float size) {
@@ -53,6 +57,7 @@ std::string second_line(const SeatPanel& panel, bool online) {
     };
     if (seat.wants_rematch) add("wants a rematch");
     if (panel.turn) add("to shoot");
+    if (panel.seconds_left) add(clock_text(*panel.seconds_left) + " left");
     return line;
 }
 
@@ -100,7 +105,9 @@ void draw_seat(Canvas& canvas, Text& text, const Layout& layout, const SeatPanel
                            panel.seat.connected ? Link::kOnline : Link::kLost);
         x += 16 * ui;
     }
-    text.draw(below, {text_size(layout, 13), kDim}, {x, second_row, Align::kLeft, left + room - x});
+    const bool hurry = panel.seconds_left && *panel.seconds_left <= kHurry;
+    text.draw(below, {text_size(layout, 13), hurry ? kWarn : kDim, hurry},
+              {x, second_row, Align::kLeft, left + room - x});
 }
 
 void draw_code(Text& text, const Layout& layout, const MatchView& match, float room) {
@@ -181,8 +188,9 @@ void draw_top_bar(Canvas& canvas, Text& text, const Layout& layout, const MatchV
     for (std::size_t i = 0; i < lefts.size(); ++i) {
         const bool turn = match.turn && match.turn->value == i;
         const bool online = match.link != Link::kOffline;
-        draw_seat(canvas, text, layout, {{lefts[i], 10 * ui, panel, height}, match.seats[i], turn},
-                  online);
+        const auto seconds_left = turn ? match.seconds_left : std::nullopt;
+        draw_seat(canvas, text, layout,
+                  {{lefts[i], 10 * ui, panel, height}, match.seats[i], turn, seconds_left}, online);
     }
     draw_code(text, layout, match, layout.top.w - 2 * (panel + margin) - 12 * ui);
 }

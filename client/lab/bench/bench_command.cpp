@@ -44,6 +44,13 @@ void print_row(std::ostream& out, const BenchRow& row) {
     out << std::flush;
 }
 
+void print_titles(std::ostream& out, const BuildInfo& info) {
+    print_head(out, "poolhall-lab bench", info);
+    out << '\n'
+        << padded("name", 34) << padded("value", 12) << padded("unit", 14)
+        << padded("instructions", 12) << " checked\n";
+}
+
 std::string quoted(const std::string& text) {
     return '"' + text + '"';
 }
@@ -69,23 +76,22 @@ void write_csv(std::ostream& out, const BuildInfo& info, const std::vector<Bench
 }  // namespace
 
 Status bench(const std::string& csv_file, std::ostream& out, std::ostream& error) {
+    const bool csv_only = csv_file == "-";
     std::optional<files::OutputFile> csv;
-    if (!csv_file.empty()) csv.emplace(csv_file);
+    if (!csv_file.empty() && !csv_only) csv.emplace(csv_file);
     if (csv && csv->fault()) return fail(error, *csv->fault());
     const BuildInfo info = build_info();
-    print_head(out, "poolhall-lab bench", info);
-    out << '\n'
-        << padded("name", 34) << padded("value", 12) << padded("unit", 14)
-        << padded("instructions", 12) << " checked\n";
+    if (!csv_only) print_titles(out, info);
     std::vector<BenchRow> rows;
     bool wrong = false;
     for (const BenchGroup& group : bench_groups()) {
         for (BenchRow& row : group.run()) {
-            print_row(out, row);
+            if (!csv_only) print_row(out, row);
             wrong = wrong || row.wrong;
             rows.push_back(std::move(row));
         }
     }
+    if (csv_only) write_csv(out, info, rows);
     if (csv) {
         write_csv(csv->stream(), info, rows);
         csv->finish();

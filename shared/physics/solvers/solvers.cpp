@@ -14,12 +14,9 @@ extern const Solver kEventSolver;
 namespace {
 
 /// Every solver, in the order of SolverKind.
-constexpr std::array<const Solver*, kCount<SolverKind>> kSolvers{&kEulerSolver,         //
-                                                                 &kOverlapSolver,       //
-                                                                 &kSemiImplicitSolver,  //
-                                                                 &kExactArcSolver,      //
-                                                                 &kEventSolver};
-static_assert(kSolvers.back() != nullptr, "a kind has no solver");
+constexpr std::array kSolvers{&kEulerSolver, &kOverlapSolver, &kSemiImplicitSolver,
+                              &kExactArcSolver, &kEventSolver};
+static_assert(kSolvers.size() == kCount<SolverKind>, "a kind has no solver");
 
 }  // namespace
 

@@ -1,3 +1,4 @@
+#include "client/desktop/app/physics_file.hpp"
 #include "client/desktop/app/table_controller.hpp"
 #include "client/play/local_match.hpp"
 #include "shared/game/end_game.hpp"
@@ -6,6 +7,8 @@
 #include "tests/shared/game/pool_settings.hpp"
 
 #include <gtest/gtest.h>
+#include <iostream>
+#include <sstream>
 
 namespace poolhall::client {
 namespace {
@@ -51,6 +54,15 @@ TEST(PracticePhysics, ShotsAreThoseOfTheChosenSolver) {
         EXPECT_EQ(practice.match.info().table->state.scene, turn.state.scene);
         EXPECT_EQ(practice.match.info().kernel, turn.shot->trace.kernel);
     }
+}
+
+TEST(PracticePhysics, FileMayBeStandardInput) {
+    std::istringstream text("{}");
+    std::streambuf* const input = std::cin.rdbuf(text.rdbuf());
+    const auto settings = read_physics("-", kEndGameRules);
+    std::cin.rdbuf(input);
+    ASSERT_FALSE(settings.ok());
+    EXPECT_TRUE(settings.error().starts_with("standard input: ")) << settings.error();
 }
 
 TEST(PracticePhysics, AreKeptForTheNextGame) {

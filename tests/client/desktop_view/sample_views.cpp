@@ -113,6 +113,7 @@ ViewState waiting() {
 
 ViewState awkward_names() {
     ViewState state = aiming();
+    state.match.seconds_left = 9;
     state.match.seats[0].name = "Maximiliane von und zu Hohenstein-Wittelsbach the Third";
     state.match.seats[1].name = "\xD0\x9E\xD0\xBB\xD1\x8C\xD0\xB3\xD0\xB0 \xFF\xC3 \xE2\x98\x83";
     state.status = "Saved /home/somebody/Pictures/poolhall/poolhall-0001.png";

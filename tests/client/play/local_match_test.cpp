@@ -120,6 +120,7 @@ TEST_F(HotSeatTest, WhoGivesUpInTurnLoses) {
 TEST_F(ShotClockTest, TurnPassesWhenTheClockHasRunDownAfterTheShotWasShown) {
     match_.poll(0);
     EXPECT_DOUBLE_EQ(match_.due_in(10), 20);
+    EXPECT_DOUBLE_EQ(match_.info().clock_ends.value(), 30);
     match_.poll(29.9);
     EXPECT_EQ(match_.info().acting_seat(), Seat{0});
     match_.poll(30);

@@ -117,6 +117,19 @@ TEST_F(RemoteTurnTest, RestartedServerIsToldOfTheAimAndTheHeldCueBall) {
     EXPECT_EQ(aims()[0].cue, (Vec2{end_game::kBaseLineX, 0.2}));
 }
 
+TEST_F(RemoteTurnTest, ShotClockEndsByThisClientsClockAndNotWithoutAConnection) {
+    open_as_anna();
+    EXPECT_FALSE(match_->info().clock_ends);
+    TableState table = new_table();
+    table.clock_left_ms = 20'500;
+    transport_.events.emplace_back(Received{{TableChanged{table}}, 99.5});
+    poll();
+    EXPECT_DOUBLE_EQ(match_->info().clock_ends.value(), 120);
+    transport_.events.emplace_back(Lost{"gone", 0.3});
+    poll();
+    EXPECT_FALSE(match_->info().clock_ends);
+}
+
 TEST_F(RemoteTurnTest, LateAimIsNobodysMistake) {
     open_as_anna();
     match_->aim({0, 1});

@@ -109,6 +109,13 @@ TEST_F(WordsTest, TwoOfOneNameAreToldApartByTheirSeats) {
     EXPECT_EQ(banner_now().title, "Anna (right seat) wins");
 }
 
+TEST(ClockText, IsInSecondsBelowAMinute) {
+    EXPECT_EQ(clock_text(0), "0 s");
+    EXPECT_EQ(clock_text(59), "59 s");
+    EXPECT_EQ(clock_text(65), "1:05 min");
+    EXPECT_EQ(clock_text(3600), "60:00 min");
+}
+
 TEST_F(WordsTest, PhysicsThatTheMatchChoseAreItsOwn) {
     EXPECT_FALSE(has_own_physics(info()));
     info().table->settings = MatchSettings{.game = {}, .race_to = 3};

@@ -4,6 +4,8 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iostream>
+#include <sstream>
 #include <stdlib.h>
 
 namespace poolhall::server {
@@ -41,6 +43,15 @@ TEST_F(Config, DefaultsServeThisMachineOnly) {
     EXPECT_EQ(config->listen, "127.0.0.1:8080");
     EXPECT_GE(config->threads, 1U);
     EXPECT_LE(config->threads, 4U);
+}
+
+TEST_F(Config, FileMayBeStandardInput) {
+    std::istringstream text("threads = 3\nlisten = 5\n");
+    std::streambuf* const input = std::cin.rdbuf(text.rdbuf());
+    const auto config = load({"--config", "-"});
+    std::cin.rdbuf(input);
+    ASSERT_FALSE(config.ok());
+    EXPECT_NE(config.error().text.find("-:2: listen "), std::string::npos) << config.error().text;
 }
 
 TEST_F(Config, FlagsComeBeforeEnvironmentAndThatBeforeTheFile) {

@@ -38,6 +38,8 @@ TEST(Http, ReplaysAreListedAndExported) {
     ASSERT_EQ(list.size(), 1U);
     EXPECT_EQ(list[0].at("shots"), 1);
     EXPECT_EQ(list[0].at("names"), (json{"Ada", "Ben"}));
+    EXPECT_EQ(list[0].at("games"), 1);
+    EXPECT_EQ(list[0].at("wins"), (json{0, 1}));
     const std::string id = list[0].at("id");
     EXPECT_EQ(id, table.joined[0].table.match);
     const HttpAnswer replay = http_get(server.address(), "/api/replays/" + id);

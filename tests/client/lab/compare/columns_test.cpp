@@ -19,5 +19,14 @@ TEST(Columns, StandBelowEachOtherWithoutBlanksAtTheEnd) {
               "x\n");
 }
 
+TEST(Columns, AWideCharacterTakesTwoPlaces) {
+    Columns columns;
+    columns.add({"\xE6\x9D\x8E", "1"});
+    columns.add({"Li", "2"});
+    std::ostringstream out;
+    columns.print(out);
+    EXPECT_EQ(out.str(), "\xE6\x9D\x8E   1\nLi   2\n");
+}
+
 }  // namespace
 }  // namespace poolhall::lab
