@@ -1,7 +1,9 @@
 #pragma once
 
 #include "shared/physics/contact/time_of_impact.hpp"
+#include "shared/physics/effects/prospect.hpp"
 #include "shared/physics/effects/scene_like.hpp"
+#include "shared/physics/motion/event_kind.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/search/circle_captures.hpp"
 #include "shared/physics/search/table_hooks.hpp"
@@ -11,12 +13,15 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace poolhall {
 
 /// The rails of a full pool table, with its mouths, jaws and holes (pool_table.hpp).
 class PoolMouths {
   public:
+    static constexpr std::string_view kName = "pool_mouths";
+
     explicit PoolMouths(const SceneLike auto& scene)
         : table_(called_for(scene) ? scene.table : Table{}),
           // The holes are at the mouths' middles, all on or beyond the long rails' noses.
@@ -25,6 +30,24 @@ class PoolMouths {
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.table.rails && scene.table.pockets == PocketModel::kPool;
+    }
+
+    /// Rubber is nowhere inside the noses. Neither are the side holes; those of the corners come in
+    /// less far than their mouths are wide, so a ball that is out of them along either axis is
+    /// safe.
+    [[nodiscard]] static std::optional<Bound> ruled_out(const SceneLike auto& scene,
+                                                        const Prospect& prospect) {
+        static_assert(kSideMouth.shelf >= 0);
+        const Vec2 clear{scene.table.length / 2 - kSideMouth.width,
+                         scene.table.width / 2 - kSideMouth.width};
+        const Box& reach = prospect.reach;
+        const bool far = (reach.high_x < clear.x && reach.low_x > -clear.x) ||
+                         (reach.high_y < clear.y && reach.low_y > -clear.y);
+        return Prospect::unless(prospect.rails || !far, Bound::kOutOfReach);
+    }
+
+    [[nodiscard]] static constexpr bool acts_in(EventKind kind) {
+        return kind == EventKind::kBallRail || kind == EventKind::kBallPocket;
     }
 
     [[nodiscard]] const PoolTable& table() const { return table_; }

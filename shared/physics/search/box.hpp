@@ -22,6 +22,9 @@ struct Box {
 
     static constexpr Box everything() { return {-kFar, kFar, -kFar, kFar}; }
 
+    /// Holds no point.
+    static constexpr Box nothing() { return {kFar, -kFar, kFar, -kFar}; }
+
     /// Widens by where x + v t + a t^2 / 2 turns within `time`: v^2 / (2 |a|) beyond its start.
     void add_turn_x(Real v, Real a, Real time) {
         if (v * (v + a * time) < 0) widen(low_x, high_x, -v * v / (2 * a));
@@ -43,6 +46,23 @@ struct Box {
         }
     }
 };
+
+/// The smallest box that holds both.
+[[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
+    return {std::min(a.low_x, b.low_x), std::max(a.high_x, b.high_x), std::min(a.low_y, b.low_y),
+            std::max(a.high_y, b.high_y)};
+}
+
+/// True for boxes that have no point in common; false where a side is no number.
+[[nodiscard]] constexpr bool are_apart(const Box& a, const Box& b) {
+    return a.high_x < b.low_x || b.high_x < a.low_x || a.high_y < b.low_y || b.high_y < a.low_y;
+}
+
+/// True if no point of the box is in the disc; false for some others that are near a corner.
+[[nodiscard]] constexpr bool is_clear_of(const Box& box, Vec2 centre, Real radius) {
+    return are_apart(box,
+                     {centre.x - radius, centre.x + radius, centre.y - radius, centre.y + radius});
+}
 
 /// Where the ball's surface gets on its arc up to `end` (s).
 [[nodiscard]] inline Box box_around(const MovingBall& ball, const Arc& arc, Real end) {
