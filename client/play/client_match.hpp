@@ -2,6 +2,7 @@
 
 #include "client/play/link.hpp"
 #include "protocol/messages.hpp"
+#include "shared/analysis/effect_use.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -18,7 +19,8 @@ struct MatchInfo {
     PerSeat<bool> mine{};  ///< seats played from here
     Link link = Link::kOffline;
     std::optional<double> round_trip_ms;
-    std::string kernel;  ///< that simulated the last shot; empty before one
+    std::string kernel;                        ///< that simulated the last shot; empty before one
+    std::vector<analysis::EffectUse> effects;  ///< of the last shot
     /// Why there is no table, or that the connection is lost; one sentence, empty when all is well.
     std::string trouble;
     std::uint64_t revision = 0;  ///< rises with every change
