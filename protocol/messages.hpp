@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/analysis/effect_use.hpp"
 #include "shared/enum_names.hpp"
 #include "shared/game/game_state.hpp"
 #include "shared/game/legal.hpp"
@@ -330,6 +331,8 @@ struct ShotEnded {
     double duration = 0;      ///< s
     Outcome outcome = Outcome::kRest;
     std::string kernel;
+    /// What the scene names, and what of it the shot called for.
+    std::vector<analysis::EffectUse> effects;
     SolverKind solver = SolverKind::kEuler;
     double cpu_us = 0;             ///< what the server spent on simulating it, microseconds
     std::vector<FinalBall> balls;  ///< exact, in the order of the shot's scene

@@ -2,6 +2,7 @@
 
 #include "client/play/link.hpp"
 #include "protocol/messages.hpp"
+#include "shared/analysis/effect_use.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,7 @@ struct MatchInfo {
     /// When the shot clock of the turn runs down, s on the clock of poll(); none while none runs.
     std::optional<double> clock_ends;
     std::string kernel;  ///< that simulated the last shot; empty before one
+    std::vector<analysis::EffectUse> effects;  ///< of the last shot
     /// Why there is no table, or that the connection is lost; one sentence, empty when all is well.
     std::string trouble;
     std::uint64_t revision = 0;  ///< rises with every change

@@ -2,6 +2,7 @@
 
 #include "client/play/cue_ball.hpp"
 #include "client/play/words.hpp"
+#include "shared/analysis/effect_use.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -79,6 +80,7 @@ void LocalMatch::take(MatchStep step) {
         playback_.begin(
             {taken->shot, shot.scene, core_.now().game.cue_ball, timeline_of(shot), step.ruling()});
         info_.kernel = shot.trace.kernel;
+        info_.effects = analysis::effect_uses(shot.scene, shot.trace);
         shown_for = shot.trace.duration;
     }
     if (std::any_of(step.events.begin(), step.events.end(), begins_game)) playback_.clear();

@@ -228,6 +228,7 @@ void RemoteMatch::on(const protocol::Frame& message) {
 
 void RemoteMatch::on(const protocol::ShotEnded& message) {
     info_.kernel = message.kernel;
+    info_.effects = message.effects;
     Shot* shot = playback_.newest();
     if (shot != nullptr && shot->number == message.shot) {
         shot->timeline.finish(message.duration, message.balls);

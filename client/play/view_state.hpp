@@ -98,7 +98,7 @@ struct ViewState {
     bool collision_mode = false;
     bool muted = false;
     std::optional<double> frames_per_second;  ///< shown when set; 0 while nothing moves
-    std::string physics;                      ///< solver and kernel; not shown when empty
+    std::string physics;                      ///< physics_of(); not shown when empty
 };
 
 }  // namespace poolhall::client

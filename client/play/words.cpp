@@ -3,6 +3,7 @@
 #include "client/play/isolated.hpp"
 #include "client/play/ruling_text.hpp"
 #include "protocol/text.hpp"
+#include "shared/analysis/effect_use.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <array>
@@ -117,7 +118,10 @@ std::string physics_of(const MatchInfo& info) {
     std::array<char, 32> rate{};
     std::snprintf(rate.data(), rate.size(), " %g Hz", hz);
     if (has_ticks(kind)) words += rate.data();
-    return info.kernel.empty() ? words : words + ", " + info.kernel;
+    if (info.kernel.empty()) return words;
+    words += ", " + info.kernel;
+    const std::string effects = analysis::in_words(info.effects);
+    return effects.empty() ? words : words + "; " + effects;
 }
 
 std::string clock_text(std::uint32_t seconds) {

@@ -22,7 +22,8 @@ namespace poolhall::client {
 /// The ruling as who sits here reads it; the table must be known.
 [[nodiscard]] std::string ruling_sentence(const Ruling& ruling, const MatchInfo& info);
 
-/// "euler 30 Hz, drag_rails_pockets": the solver, and the kernel of the last shot if there was one.
+/// "event, slide_roll; called for: sliding, rolling. Ruled out: jump (level cue)": the solver, and
+/// if there was a shot the kernel of the last one, and what of its physics it called for.
 [[nodiscard]] std::string physics_of(const MatchInfo& info);
 
 /// "45 s", "1:05 min": what is left of a turn.

@@ -3,6 +3,7 @@
 #include "protocol/intake/text_width.hpp"
 #include "protocol/replay/record_text.hpp"
 #include "protocol/text.hpp"
+#include "shared/analysis/effect_use.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <array>
@@ -215,6 +216,7 @@ void ReplayPrinter::print_record(const protocol::MoveRecord& move) {
                    stroke.speed.value_or(0), shot.duration, shot.event_count,
                    verdict_text(move.ruling), move.state.scene.solver, shot.kernel, shot.trace});
         if (const std::string cue = cue_text(stroke); !cue.empty()) out_ << "      " << cue << '\n';
+        if (shot.effects) out_ << "      " << analysis::in_words(*shot.effects) << '\n';
     }
     print_winner(move.ruling);
     // The second seat's consent brings the next game about.

@@ -33,10 +33,15 @@ Json place_json(const ShotEvent& event) {
 }
 
 Json head_json(const ShotTrace& trace, const Scene& scene) {
-    return {{"schema", "poolhall.result/1"}, {"id", scene.id},
-            {"solver", name(trace.solver)},  {"kernel", trace.kernel},
-            {"hash", to_hex(trace.hash)},    {"duration", trace.duration},
-            {"outcome", name(trace.outcome)}};
+    return {
+        {"schema", "poolhall.result/1"},
+        {"id", scene.id},
+        {"solver", name(trace.solver)},
+        {"kernel", trace.kernel},
+        {"effects", wire::kEffectUses.write(analysis::effect_uses(scene, trace), Encoding::kJson)},
+        {"hash", to_hex(trace.hash)},
+        {"duration", trace.duration},
+        {"outcome", name(trace.outcome)}};
 }
 
 Json ball_json(const FinalBall& ball, const std::string& id, const Table& table) {

@@ -17,6 +17,7 @@ ShotEvidence evidence_of(const ShotTaken& shot) {
     evidence.edition = kPhysicsEdition;
     evidence.solver = name(trace.solver);
     evidence.kernel = trace.kernel;
+    evidence.effects = analysis::effect_uses(shot.simulated.scene, trace);
     evidence.trace = trace.hash;
     evidence.duration = trace.duration;
     evidence.event_count = static_cast<std::uint32_t>(trace.events.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/analysis/effect_use.hpp"
 #include "shared/match/match.hpp"
 
 #include <cstddef>
@@ -45,6 +46,8 @@ struct ShotEvidence {
     std::uint32_t edition = 0;  ///< of the physics
     std::string solver;  ///< its name, and the kernel's: either may be gone in a later version
     std::string kernel;
+    /// What the scene names, and what of it the shot called for. Not there in older records.
+    std::optional<std::vector<analysis::EffectUse>> effects{};
     std::uint64_t trace = 0;  ///< hash of the events and the final states
     double duration = 0;      ///< s
     std::uint32_t event_count = 0;

@@ -71,6 +71,7 @@ inline constexpr auto kFields<ShotEvidence> = std::tuple{
     field("edition", &ShotEvidence::edition),
     field("solver", &ShotEvidence::solver, kShortText),
     field("kernel", &ShotEvidence::kernel, kShortText),
+    field("effects", &ShotEvidence::effects, kEffectUses),
     field("trace", &ShotEvidence::trace, Hash{}),
     field("duration", &ShotEvidence::duration, kSeconds),
     field("event_count", &ShotEvidence::event_count),

@@ -160,9 +160,16 @@ std::string distance_in_words(const GameState& here, const GameState& recorded) 
 }
 
 ShotEvidence evidence_of(const ShotRecord& shot) {
-    return {shot.shot,        kEditionOfVersion1, std::string(name(shot.scene.solver.kind)),
-            shot.kernel,      shot.final_hash,    shot.duration,
-            shot.event_count, shot.event_times};
+    ShotEvidence evidence;
+    evidence.shot = shot.shot;
+    evidence.edition = kEditionOfVersion1;
+    evidence.solver = name(shot.scene.solver.kind);
+    evidence.kernel = shot.kernel;
+    evidence.trace = shot.final_hash;
+    evidence.duration = shot.duration;
+    evidence.event_count = shot.event_count;
+    evidence.event_times = shot.event_times;
+    return evidence;
 }
 
 ShotComparison compare(const SimulatedShot& simulated, const ShotEvidence& evidence,

@@ -178,6 +178,7 @@ inline constexpr auto kFields<ShotEnded> = std::tuple{
     field("duration", &ShotEnded::duration, Number{0, kAnyMagnitude}),
     field("outcome", &ShotEnded::outcome),
     field("kernel", &ShotEnded::kernel, Text{1, kMaxLabelBytes}),
+    field("effects", &ShotEnded::effects, kEffectUses),
     field("solver", &ShotEnded::solver),
     field("cpu_us", &ShotEnded::cpu_us, Number{0, kAnyMagnitude}),
     field("balls", &ShotEnded::balls, List<FinalBallCodec>{{}, kMaxBalls}),

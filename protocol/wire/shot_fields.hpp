@@ -2,6 +2,7 @@
 
 #include "protocol/wire/codecs.hpp"
 #include "protocol/wire/listed_fields.hpp"
+#include "shared/analysis/effect_use.hpp"
 
 #include <optional>
 #include <tuple>
@@ -53,6 +54,18 @@ struct FinalBallCodec {
     [[nodiscard]] bool read(const Cursor& cursor, FinalBall& ball) const;
     [[nodiscard]] Json write(const FinalBall& ball, Encoding encoding) const;
 };
+
+inline constexpr std::size_t kMaxEffectBytes = 64;  ///< of an effect's name
+inline constexpr std::size_t kMaxEffectUses = 64;
+
+template <>
+inline constexpr auto kFields<analysis::EffectUse> = std::tuple{
+    field("effect", &analysis::EffectUse::effect, Text{1, kMaxEffectBytes}),
+    field("ruled_out", &analysis::EffectUse::ruled_out),
+    field("acted", &analysis::EffectUse::acted),
+};
+
+inline constexpr List<Object<analysis::EffectUse>> kEffectUses{{}, kMaxEffectUses};
 
 /// A ball of a Frame: [index, x, y], to 10 um in JSON and in single precision in CBOR.
 struct FrameBallCodec {

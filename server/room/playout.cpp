@@ -1,5 +1,6 @@
 #include "server/room/playout.hpp"
 
+#include "shared/analysis/effect_use.hpp"
 #include "shared/physics/simulate.hpp"
 
 #include <algorithm>
@@ -63,6 +64,7 @@ protocol::ShotEnded Playout::ended() const {
             shown.duration,
             shown.outcome,
             std::string(shown.kernel),
+            analysis::effect_uses(shot().simulated.scene, shown),
             shown.solver,
             Microseconds(cpu_).count(),
             shown.balls,

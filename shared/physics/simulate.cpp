@@ -1,22 +1,19 @@
 #include "shared/physics/simulate.hpp"
 
+#include "shared/physics/called_for/called_for.hpp"
 #include "shared/physics/effects/kernels.hpp"
 #include "shared/physics/solvers/solvers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace poolhall {
 
 namespace {
-
-/// Which of the kernels cover the scene, in their order.
-template <class... Kernel>
-constexpr auto coverage_of(const Scene& scene, std::type_identity<std::tuple<Kernel...>>) {
-    return std::array<bool, sizeof...(Kernel)>{Kernel::template covers<AllEffects>(scene)...};
-}
 
 template <class... Kernel>
 constexpr std::array<std::string_view, sizeof...(Kernel)> names_of(
@@ -26,39 +23,73 @@ constexpr std::array<std::string_view, sizeof...(Kernel)> names_of(
 
 constexpr auto kNames = names_of(std::type_identity<KernelList>{});
 
-/// The first kernel that covers the scene and that `wanted` accepts by name; kNames.size() if there
-/// is none.
-template <class Wanted>
-std::size_t first_kernel(const Scene& scene, Wanted wanted) {
-    const auto covers = coverage_of(scene, std::type_identity<KernelList>{});
-    std::size_t kernel = 0;
-    while (kernel < kNames.size() && !(covers[kernel] && wanted(kNames[kernel])))
-        ++kernel;
-    return kernel;
+/// Which of the kernels cover the effects that may act, in their order.
+template <class... Kernel>
+auto coverage_of(const EffectAccount& effects,
+                 std::type_identity<std::tuple<Kernel...>> /*kernels*/) {
+    return std::array<bool, sizeof...(Kernel)>{is_covered<Kernel>(effects)...};
+}
+
+/// The first kernel that covers what may act.
+std::size_t first_kernel(const EffectAccount& effects) {
+    const auto all = coverage_of(effects, std::type_identity<KernelList>{});
+    const auto first = std::find(all.begin(), all.end(), true);
+    assert(first != all.end());
+    return static_cast<std::size_t>(first - all.begin());
 }
 
 }  // namespace
 
-void Simulator::run(std::size_t kernel, const Scene& scene, Real sample_hz, ShotTrace& trace) {
+void Simulator::run(std::size_t kernel, ShotRun& shot, ShotTrace& trace) {
+    const SolverKind solver = shot.scene().solver.kind;
     trace.kernel = kNames[kernel];
-    trace.solver = scene.solver.kind;
-    ShotRun run(scene, sample_hz, workspace_, trace);
-    const auto solver = static_cast<std::size_t>(scene.solver.kind);
-    solver_of(scene.solver.kind).run(kernel, run, memories_[solver]);
+    trace.solver = solver;
+    solver_of(solver).run(kernel, shot, memories_[static_cast<std::size_t>(solver)]);
 }
 
 void Simulator::simulate(const Scene& scene, Real sample_hz, ShotTrace& trace) {
-    const std::size_t kernel = first_kernel(scene, [](std::string_view) { return true; });
-    assert(kernel < kNames.size());
-    run(kernel, scene, sample_hz, trace);
+    ShotRun shot(scene, sample_hz, workspace_, trace);
+    const Prospect prospect = prospect_of(scene, shot.balls(), reach_);
+    trace.effects = EffectAccount(scene, prospect);
+    if (prospect.reach_is_bounded)
+        shot.leave_out([&](const MovingBall& ball) { return takes_no_part(ball, prospect); });
+    run(first_kernel(trace.effects), shot, trace);
+    if (prospect.reach_is_by_energy && !stayed_within(prospect, scene, trace, reach_))
+        simulate_whole(scene, sample_hz, trace);
+}
+
+/// The shot without bounds of its reach.
+void Simulator::simulate_whole(const Scene& scene, Real sample_hz, ShotTrace& trace) {
+    ShotRun shot(scene, sample_hz, workspace_, trace);
+    trace.effects = EffectAccount(scene, Prospect{});
+    run(first_kernel(trace.effects), shot, trace);
 }
 
 bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz,
                             ShotTrace& trace) {
-    const std::size_t found =
-        first_kernel(scene, [&](std::string_view name) { return name == kernel; });
-    if (found == kNames.size()) return false;
-    run(found, scene, sample_hz, trace);
+    const auto found = std::find(kNames.begin(), kNames.end(), kernel);
+    if (found == kNames.end()) return false;
+    const auto place = static_cast<std::size_t>(found - kNames.begin());
+    const EffectAccount named(scene, Prospect{});
+    if (!coverage_of(named, std::type_identity<KernelList>{})[place])
+        return simulate_within_bounds(place, scene, sample_hz, trace);
+    ShotRun shot(scene, sample_hz, workspace_, trace);
+    trace.effects = named;
+    run(place, shot, trace);
+    return true;
+}
+
+/// By a kernel that has not all that the scene names, if it has all that may act.
+bool Simulator::simulate_within_bounds(std::size_t kernel, const Scene& scene, Real sample_hz,
+                                       ShotTrace& trace) {
+    ShotTrace tried;
+    ShotRun shot(scene, sample_hz, workspace_, tried);
+    const Prospect prospect = prospect_of(scene, shot.balls(), reach_);
+    tried.effects = EffectAccount(scene, prospect);
+    if (!coverage_of(tried.effects, std::type_identity<KernelList>{})[kernel]) return false;
+    run(kernel, shot, tried);
+    if (prospect.reach_is_by_energy && !stayed_within(prospect, scene, tried, reach_)) return false;
+    trace = std::move(tried);
     return true;
 }
 

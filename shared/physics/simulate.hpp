@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shared/physics/called_for/reach.hpp"
 #include "shared/physics/check.hpp"
 #include "shared/physics/scene/scene.hpp"
 #include "shared/physics/scene/trace.hpp"
@@ -37,9 +38,13 @@ class Simulator {
                                    ShotTrace& trace);
 
   private:
-    void run(std::size_t kernel, const Scene& scene, Real sample_hz, ShotTrace& trace);
+    void run(std::size_t kernel, ShotRun& shot, ShotTrace& trace);
+    void simulate_whole(const Scene& scene, Real sample_hz, ShotTrace& trace);
+    bool simulate_within_bounds(std::size_t kernel, const Scene& scene, Real sample_hz,
+                                ShotTrace& trace);
 
     Workspace workspace_;
+    ReachMemory reach_;
     std::array<SolverMemory, kCount<SolverKind>> memories_;
 };
 

@@ -203,8 +203,12 @@ PoolTable::PoolTable(const Table& table) {
               hole_of(Pocket::kSouthEast, ends.corner, {1, -1}, half),
               hole_of(Pocket::kSouth, ends.side, {0, -1}, half),
               hole_of(Pocket::kSouthWest, ends.corner, {-1, -1}, half)};
-    hole_depth_ = std::max({Real{0}, ends.corner.hole_radius - ends.corner.hole.y,
-                            ends.side.hole_radius - ends.side.hole.y});
+}
+
+Real hole_depth(const Table& table) {
+    const RailEnds ends(table);
+    return std::max({Real{0}, ends.corner.hole_radius - ends.corner.hole.y,
+                     ends.side.hole_radius - ends.side.hole.y});
 }
 
 std::optional<MouthFault> fault_of_mouths(const Table& table) {

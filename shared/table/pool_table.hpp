@@ -70,15 +70,14 @@ class PoolTable {
     /// In the order of Pocket.
     [[nodiscard]] std::span<const Hole> holes() const { return holes_; }
 
-    /// How far holes come into the table from the lines of the noses, m; 0 if they do not.
-    [[nodiscard]] Real hole_depth() const { return hole_depth_; }
-
   private:
     std::array<CushionLine, 6 + 12> lines_;
     std::array<CushionArc, 12> arcs_;
     std::array<Hole, kPocketCount> holes_;
-    Real hole_depth_ = 0;
 };
+
+/// How far holes come into the table from the lines of the noses, m; 0 if they do not.
+[[nodiscard]] Real hole_depth(const Table& table);
 
 /// What is wrong with the shape of the table's mouths, and where: a pointer from the table on.
 struct MouthFault {

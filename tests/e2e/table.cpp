@@ -1,5 +1,6 @@
 #include "tests/e2e/table.hpp"
 
+#include "shared/analysis/effect_use.hpp"
 #include "shared/game/end_game.hpp"
 #include "shared/physics/simulate.hpp"
 
@@ -103,6 +104,7 @@ void expect_same_shot(const ShotHeard& heard, const PlayedShot& outcome) {
     EXPECT_EQ(ended.balls, outcome.trace.balls);
     EXPECT_EQ(ended.duration, outcome.trace.duration);
     EXPECT_EQ(ended.kernel, outcome.trace.kernel);
+    EXPECT_EQ(ended.effects, analysis::effect_uses(outcome.scene, outcome.trace));
     EXPECT_EQ(ended.solver, outcome.trace.solver);
     EXPECT_EQ(ended.outcome, Outcome::kRest);
     EXPECT_EQ(ended.ruling, outcome.ruling);

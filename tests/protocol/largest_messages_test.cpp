@@ -65,6 +65,7 @@ Scene largest_scene() {
 TEST(LongestMessages, OfTheLargestTableAreBelowWhatAClientMustTake) {
     ShotEnded ended;
     ended.kernel = "rolling";
+    ended.effects.assign(64, {std::string(64, 'e'), Bound::kOutOfReach, false});
     ended.table.match = "m";
     ended.table.code = "BCDFGH";
     ended.table.game = "end_game";

@@ -255,6 +255,9 @@ ShotEnded shot_ended(Random& random) {
     result.duration = random.real(10) + 10;
     result.outcome = any_of<Outcome>(random);
     result.kernel = "drag";
+    for (std::size_t i = random.below(4); i > 0; --i)
+        result.effects.push_back({"sliding", {}, random.coin()});
+    if (random.coin()) result.effects.push_back({"airborne", any_of<Bound>(random), false});
     result.solver = any_of<SolverKind>(random);
     result.cpu_us = random.real(10) + 10;
     for (std::size_t i = random.below(4); i > 0; --i)

@@ -43,7 +43,8 @@ TEST(ResultJson, TellsAShotInTheDocumentedOrder) {
     std::string keys;
     for (const auto& item : result.items())
         keys += item.key() + " ";
-    EXPECT_EQ(keys, "schema id solver kernel hash duration outcome events balls cost samples ");
+    EXPECT_EQ(keys,
+              "schema id solver kernel effects hash duration outcome events balls cost samples ");
     EXPECT_EQ(result["schema"], "poolhall.result/1");
     EXPECT_EQ(result["id"], "a shot");
     EXPECT_EQ(result["solver"], "event");

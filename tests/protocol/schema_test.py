@@ -203,6 +203,7 @@ TABLES = {
     "Seat": ("server-message.json", "seat_info"),
     "Event": ("server-message.json", "event"),
     "Final ball": ("server-message.json", "final_ball"),
+    "Effect use": ("server-message.json", "effect_use"),
     "Scene": ("scene.json", ""),
     "Effects": ("scene.json", "effects"),
     "Settings": ("game.json", "settings"),

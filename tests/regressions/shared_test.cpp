@@ -69,6 +69,24 @@ TEST(Regression, BallThatRollsHasTheSpinOfItsSpeedWhenItIsCutOffOrCaptured) {
     }
 }
 
+TEST(Regression, BallsThatOnlyRollingResistanceTurnsTowardsEachOtherMeetByEveryKernel) {
+    // The kernel `roll` went on to think that they had parted. A heavy ball holds a row up.
+    testing::Random random(8);
+    for (int i = 0; i < 50; ++i) {
+        const Vec2 aside = kDiameter * normalized(Vec2{-random.uniform(0.2, 0.6), -1});
+        Scene scene = testing::scene_of({aside, {0, 0}, {kDiameter, 0}, {2 * kDiameter, 0}});
+        scene.effects.rolling = RollingSpec{random.uniform(0.003, 0.03)};
+        scene.effects.ball_ball.model = BallBallModel::kFriction;
+        scene.effects.ball_ball.e = random.uniform(0, 0.3);
+        scene.balls[3].mass = 2;
+        scene.balls[0].state.v = {0, random.uniform(0.03, 0.1), 0};
+        ASSERT_FALSE(check(scene));
+        ShotTrace all;
+        ASSERT_TRUE(simulate_by("everything", scene, 0, all));
+        EXPECT_EQ(all.hash, simulate(scene).hash) << i;
+    }
+}
+
 TEST(Regression, EventsAtTheEndOfATickDoNotLieBehindThoseOfTheNext) {
     // Balls that reach a rail at the very end of a tick, and others that leave one with the next.
     testing::Random random(2);

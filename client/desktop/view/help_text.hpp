@@ -18,7 +18,7 @@ inline constexpr std::array kKeyTable{
     KeyRow{"Page Up, Page Down", "Turn the aim fast"},
     KeyRow{"Up, Down", "Move the cue ball on the base line before the first shot"},
     KeyRow{"F1", "Show or hide this help"},
-    KeyRow{"F2", "Show or hide the frame rate, the solver and the kernel"},
+    KeyRow{"F2", "Show or hide the frame rate, the solver, and what the shot called for"},
     KeyRow{"F3", "Step mode: Space moves on by 1/30 s, rings show the way"},
     KeyRow{"F4", "Collision mode: yellow circles where balls hit something"},
     KeyRow{"F5", "The last shot by other solvers, with cost and distance; again for more"},

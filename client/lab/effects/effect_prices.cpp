@@ -66,6 +66,10 @@ ShotPrices prices_of(std::vector<Scene> shots, const Repeats& repeats, Callgrind
             price_of_ball_step(shots, repeats, callgrind)};
 }
 
+Price price_of(const std::vector<Scene>& shots, const Repeats& repeats) {
+    return divided(cost_of(shots, repeats, nullptr), static_cast<double>(shots.size()));
+}
+
 Price price_by(std::string_view kernel, const std::vector<Scene>& shots, const Repeats& repeats) {
     Simulator simulator;
     ShotTrace trace;

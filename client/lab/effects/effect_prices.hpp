@@ -15,6 +15,9 @@ namespace poolhall::lab {
 [[nodiscard]] ShotPrices prices_of(std::vector<Scene> shots, const Repeats& repeats,
                                    Callgrind* callgrind);
 
+/// What a shot costs by its own solver, as simulate() does it.
+[[nodiscard]] Price price_of(const std::vector<Scene>& shots, const Repeats& repeats);
+
 /// What a shot costs by the event solver in the kernel of that name, which must cover them all.
 [[nodiscard]] Price price_by(std::string_view kernel, const std::vector<Scene>& shots,
                              const Repeats& repeats);

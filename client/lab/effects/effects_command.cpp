@@ -4,6 +4,7 @@
 #include "client/lab/effects/effect_cases.hpp"
 #include "client/lab/effects/effect_prices.hpp"
 #include "client/lab/effects/effects_results.hpp"
+#include "client/lab/effects/play_calls.hpp"
 #include "client/lab/output/result_files.hpp"
 #include "client/lab/run/long_run.hpp"
 #include "client/lab/run/progress.hpp"
@@ -78,7 +79,7 @@ class EffectsRun {
         result_.shots = plan_.shots > 0 ? plan_.shots : plan_.quick ? kQuickShots : kShots;
         result_.build = build_info();
         print_head(out_, result_.command, result_.build);
-        result_.complete = run_kernels() && run_effects();
+        result_.complete = run_kernels() && run_effects() && run_play();
         progress_.clear();
         return std::move(result_);
     }
@@ -129,6 +130,20 @@ class EffectsRun {
         }
         progress_.clear();
         print_effects(out_, result_.effects);
+        return true;
+    }
+
+    /// False if it is over.
+    bool run_play() {
+        progress_.begin("play", kinds_of_play().size());
+        for (const PlayKind& kind : kinds_of_play()) {
+            PlayRow row = measure_play(kind, plan_.seed, result_.shots, plan_.repeats());
+            if (is_over()) return false;
+            result_.play.push_back(std::move(row));
+            progress_.step();
+        }
+        progress_.clear();
+        print_play(out_, result_.play);
         return true;
     }
 

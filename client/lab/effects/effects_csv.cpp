@@ -28,6 +28,16 @@ void write_variant(std::ostream& out, const EffectRow& row, const char* variant,
     out << '\n';
 }
 
+void write_play(std::ostream& out, const PlayRow& row, const char* variant, const Price& price) {
+    CsvLine line(out);
+    line << "play" << row.kind << "real_play" << variant;
+    put(line, std::optional(price));
+    put(line, std::optional<Price>());
+    put(line, std::optional<Price>());
+    line << std::optional<Spread>() << std::optional<double>();
+    out << '\n';
+}
+
 }  // namespace
 
 void write_csv(std::ostream& out, const EffectsResult& result) {
@@ -46,6 +56,10 @@ void write_csv(std::ostream& out, const EffectsResult& result) {
         write_variant(out, row, "absent", row.absent);
         if (row.zero) write_variant(out, row, "zero", *row.zero);
         write_variant(out, row, "present", row.present);
+    }
+    for (const PlayRow& row : result.play) {
+        write_play(out, row, "called_for", row.per_shot);
+        write_play(out, row, "everything", row.by_everything);
     }
 }
 

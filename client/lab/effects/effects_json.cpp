@@ -44,6 +44,17 @@ Json json_of(const EffectRow& row) {
             {"verdict_flips", row.verdict_flips}};
 }
 
+Json json_of(const PlayRow& row) {
+    Json effects = Json::array();
+    for (const EffectShare& share : row.effects)
+        effects.push_back(
+            {{"effect", share.effect}, {"called_for", share.called_for}, {"acted", share.acted}});
+    return {{"kind", row.kind},
+            {"per_shot", json_of(row.per_shot)},
+            {"per_shot_by_everything", json_of(row.by_everything)},
+            {"effects", effects}};
+}
+
 template <class Row>
 Json json_of(const std::vector<Row>& rows) {
     Json json = Json::array();
@@ -62,7 +73,8 @@ void write_json(std::ostream& out, const EffectsResult& result) {
                     {"complete", result.complete},
                     {"build", json_of(result.build)},
                     {"kernels", json_of(result.kernels)},
-                    {"effects", json_of(result.effects)}};
+                    {"effects", json_of(result.effects)},
+                    {"play", json_of(result.play)}};
     out << json.dump(1) << '\n';
 }
 

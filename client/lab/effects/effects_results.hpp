@@ -45,6 +45,20 @@ struct EffectRow {
     double verdict_flips = 0;  ///< share of shots in which other balls go down
 };
 
+/// Shares of the shots of one kind of play.
+struct EffectShare {
+    std::string effect;
+    double called_for = 0;  ///< in which it may act
+    double acted = 0;       ///< in which it does
+};
+
+struct PlayRow {
+    std::string kind;
+    std::vector<EffectShare> effects;  ///< all that the shots name
+    Price per_shot;                    ///< with what each calls for
+    Price by_everything;               ///< with all that they name
+};
+
 struct EffectsResult {
     std::string command;
     std::uint64_t seed = 0;
@@ -53,13 +67,16 @@ struct EffectsResult {
     BuildInfo build;
     std::vector<KernelRow> kernels;
     std::vector<EffectRow> effects;
+    std::vector<PlayRow> play;
 };
 
 void print_kernels(std::ostream& out, const std::vector<KernelRow>& rows);
 void print_effects(std::ostream& out, const std::vector<EffectRow>& rows);
+void print_play(std::ostream& out, const std::vector<PlayRow>& rows);
 /// "poolhall.effects/1": client/lab/report/schema/effects.schema.json.
 void write_json(std::ostream& out, const EffectsResult& result);
-/// A line for each kernel, and for each effect absent, of zero strength and present.
+/// A line for each kernel, for each effect absent, of zero strength and present, and for each kind
+/// of play proven and by everything.
 void write_csv(std::ostream& out, const EffectsResult& result);
 
 }  // namespace poolhall::lab

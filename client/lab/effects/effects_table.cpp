@@ -72,4 +72,27 @@ void print_effects(std::ostream& out, const std::vector<EffectRow>& rows) {
     table.print(out);
 }
 
+/// A column for each kind of play.
+void print_play(std::ostream& out, const std::vector<PlayRow>& rows) {
+    if (rows.empty()) return;
+    out << "\nShots of real play that call for an effect (of those, shots in which it acts)\n\n";
+    Columns table;
+    std::vector<std::string> head{"effect"};
+    std::vector<std::string> saved{"saved"};
+    for (const PlayRow& row : rows) {
+        head.push_back(row.kind);
+        saved.push_back(formatted("%.1f %%", 100 * (1 - row.per_shot.ns / row.by_everything.ns)));
+    }
+    table.add(std::move(head));
+    for (std::size_t i = 0; i < rows[0].effects.size(); ++i) {
+        std::vector<std::string> line{rows[0].effects[i].effect};
+        for (const PlayRow& row : rows)
+            line.push_back(formatted("%.1f %%", 100 * row.effects[i].called_for) +
+                           formatted(" (%.1f %%)", 100 * row.effects[i].acted));
+        table.add(std::move(line));
+    }
+    table.add(std::move(saved));
+    table.print(out);
+}
+
 }  // namespace poolhall::lab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shared/fields.hpp"
+#include "shared/physics/effects/prospect.hpp"
 #include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/motion/slip.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 namespace poolhall {
@@ -41,6 +43,7 @@ struct AirbornePart {
 class Airborne {
   public:
     using Part = AirbornePart;
+    static constexpr std::string_view kName = "airborne";
 
     explicit Airborne(const SceneLike auto& scene)
         : e_(called_for(scene) ? scene.effects.airborne->e_slate : 0),
@@ -51,6 +54,18 @@ class Airborne {
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.effects.airborne.has_value();
+    }
+
+    /// Rails leave v.z alone, and so do impacts on the cloth of balls whose centres are at one
+    /// height; a cue that slopes drives its ball into the slate.
+    [[nodiscard]] static std::optional<Bound> ruled_out(const SceneLike auto& /*scene*/,
+                                                        const Prospect& prospect) {
+        return Prospect::unless(prospect.flies, Bound::kLevelCue);
+    }
+
+    [[nodiscard]] static bool acts_on(const SceneLike auto& /*scene*/, const BallState& state,
+                                      Real /*radius*/) {
+        return state.r.z > 0 || state.v.z != 0;
     }
 
     [[nodiscard]] bool in_air(const MovingBall& ball) const {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 namespace poolhall {
@@ -45,6 +46,7 @@ struct LinearDragPart {
 class LinearDrag {
   public:
     using Part = LinearDragPart;
+    static constexpr std::string_view kName = "linear_drag";
 
     explicit LinearDrag(const SceneLike auto& scene)
         : k_(called_for(scene) ? scene.effects.linear_drag->k : 0),
@@ -52,6 +54,11 @@ class LinearDrag {
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.effects.linear_drag && scene.effects.linear_drag->k > 0;
+    }
+
+    [[nodiscard]] static bool acts_on(const SceneLike auto& /*scene*/, const BallState& state,
+                                      Real /*radius*/) {
+        return xy(state.v) != Vec2{};
     }
 
     [[nodiscard]] Real drag_rate() const { return k_; }  ///< 1/s

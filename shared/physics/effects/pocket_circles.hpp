@@ -1,6 +1,8 @@
 #pragma once
 
+#include "shared/physics/effects/prospect.hpp"
 #include "shared/physics/effects/scene_like.hpp"
+#include "shared/physics/motion/event_kind.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/search/box.hpp"
 #include "shared/physics/search/circle_captures.hpp"
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace poolhall {
 
@@ -16,6 +19,8 @@ namespace poolhall {
 /// comes within the circle's radius of the circle's centre. The scene outlives the effect.
 class PocketCircles {
   public:
+    static constexpr std::string_view kName = "pocket_circles";
+
     explicit PocketCircles(const SceneLike auto& scene) : circles_(scene.table.circles) {
         if (!called_for(scene)) circles_ = {};
         for (const PocketCircle& circle : circles_)
@@ -24,6 +29,20 @@ class PocketCircles {
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.table.pockets == PocketModel::kCircles && !scene.table.circles.empty();
+    }
+
+    [[nodiscard]] static std::optional<Bound> ruled_out(const SceneLike auto& scene,
+                                                        const Prospect& prospect) {
+        const auto near = [&](const PocketCircle& circle) {
+            return !is_clear_of(prospect.reach, circle.centre, circle.radius);
+        };
+        return Prospect::unless(
+            std::any_of(scene.table.circles.begin(), scene.table.circles.end(), near),
+            Bound::kOutOfReach);
+    }
+
+    [[nodiscard]] static constexpr bool acts_in(EventKind kind) {
+        return kind == EventKind::kBallPocket;
     }
 
     [[nodiscard]] std::span<const PocketCircle> circles() const { return circles_; }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "shared/physics/contact/time_of_impact.hpp"
+#include "shared/physics/effects/prospect.hpp"
 #include "shared/physics/effects/scene_like.hpp"
+#include "shared/physics/motion/event_kind.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/search/circle_captures.hpp"
 #include "shared/physics/search/cushion_map.hpp"
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace poolhall {
 
@@ -19,12 +22,29 @@ namespace poolhall {
 /// scene with `cushions`, a KeptCushionMap, which outlives it.
 class PoolMouths {
   public:
+    static constexpr std::string_view kName = "pool_mouths";
+
     explicit PoolMouths(const SceneLike auto& scene)
         : map_(called_for(scene) ? &scene.cushions.of(scene.table) : nullptr),
-          nose_{scene.table.length / 2, scene.table.width / 2} {}
+          free_(map_ != nullptr ? free_area(scene.table) : Vec2{kNever, kNever}) {}
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.table.rails && scene.table.pockets == PocketModel::kPool;
+    }
+
+    /// Rubber is nowhere inside the noses. Neither are the side holes; those of the corners come in
+    /// a little, so a ball that is out of them along either axis is safe.
+    [[nodiscard]] static std::optional<Bound> ruled_out(const SceneLike auto& scene,
+                                                        const Prospect& prospect) {
+        const Vec2 clear = free_area(scene.table);
+        const Box& reach = prospect.reach;
+        const bool far = (reach.high_x < clear.x && reach.low_x > -clear.x) ||
+                         (reach.high_y < clear.y && reach.low_y > -clear.y);
+        return Prospect::unless(prospect.rails || !far, Bound::kOutOfReach);
+    }
+
+    [[nodiscard]] static constexpr bool acts_in(EventKind kind) {
+        return kind == EventKind::kBallRail || kind == EventKind::kBallPocket;
     }
 
     /// Where may_reach() of something.
@@ -43,15 +63,13 @@ class PoolMouths {
     /// False where a ball whose surface stays within the box touches nothing of rails and holes:
     /// most, most of the time.
     [[nodiscard]] bool may_reach(const Box& box) const {
-        const Vec2 free = free_area();
-        return map_ != nullptr && (box.high_x >= free.x || box.low_x <= -free.x ||
-                                   box.high_y >= free.y || box.low_y <= -free.y);
+        return map_ != nullptr && (box.high_x >= free_.x || box.low_x <= -free_.x ||
+                                   box.high_y >= free_.y || box.low_y <= -free_.y);
     }
 
     /// Up to which |x| and |y| the centre of a ball touches nothing of rails and holes, m.
     [[nodiscard]] Vec2 clear_area(Real radius) const {
-        const Vec2 free = map_ != nullptr ? free_area() : Vec2{kNever, kNever};
-        return {free.x - radius, free.y - radius};
+        return {free_.x - radius, free_.y - radius};
     }
 
     [[nodiscard]] bool may_reach(const MovingBall& ball, Vec2 v, Real time) const {
@@ -101,15 +119,15 @@ class PoolMouths {
     }
 
   private:
-    /// Holes come into the table a little, and places round.
-    [[nodiscard]] Vec2 free_area() const {
+    /// Up to which |x| and |y| neither rubber nor holes are, m.
+    [[nodiscard]] static Vec2 free_area(const Table& table) {
         constexpr Real kGenerous = 1e-3;  // m
-        const Real depth = map_->table().hole_depth() + kGenerous;
-        return {nose_.x - depth, nose_.y - depth};
+        const Real depth = hole_depth(table) + kGenerous;
+        return {table.length / 2 - depth, table.width / 2 - depth};
     }
 
     const CushionMap* map_;  ///< nothing where the scene has no such table
-    Vec2 nose_;
+    Vec2 free_;              ///< free_area()
 };
 
 }  // namespace poolhall

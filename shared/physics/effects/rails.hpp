@@ -1,10 +1,13 @@
 #pragma once
 
+#include "shared/physics/effects/prospect.hpp"
 #include "shared/physics/effects/scene_like.hpp"
+#include "shared/physics/motion/event_kind.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/table/table.hpp"
 
 #include <optional>
+#include <string_view>
 
 namespace poolhall {
 
@@ -16,12 +19,23 @@ struct RailHit {
 /// Where the four straight, unbroken rails are met. What happens there is in contact.hpp.
 class Rails {
   public:
+    static constexpr std::string_view kName = "rails";
+
     explicit Rails(const SceneLike auto& scene)
         : nose_(called_for(scene) ? Vec2{scene.table.length / 2, scene.table.width / 2}
                                   : Vec2{kInfinity, kInfinity}) {}
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.table.rails && scene.table.pockets != PocketModel::kPool;
+    }
+
+    [[nodiscard]] static std::optional<Bound> ruled_out(const SceneLike auto& /*scene*/,
+                                                        const Prospect& prospect) {
+        return Prospect::unless(prospect.rails, Bound::kOutOfReach);
+    }
+
+    [[nodiscard]] static constexpr bool acts_in(EventKind kind) {
+        return kind == EventKind::kBallRail;
     }
 
     /// When a ball at x with velocity v reaches +-edge; nothing if it does not move towards one. 0

@@ -3,9 +3,11 @@
 #include "shared/fields.hpp"
 #include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
+#include "shared/physics/motion/slip.hpp"
 #include "shared/table/bounds.hpp"
 
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 namespace poolhall {
@@ -37,6 +39,7 @@ struct RollingPart {
 class Rolling {
   public:
     using Part = RollingPart;
+    static constexpr std::string_view kName = "rolling";
     static constexpr bool kPressesBalls = true;
 
     explicit Rolling(const SceneLike auto& scene)
@@ -44,6 +47,12 @@ class Rolling {
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.effects.rolling && scene.effects.rolling->mu * scene.gravity > 0;
+    }
+
+    [[nodiscard]] static bool acts_on(const SceneLike auto& scene, const BallState& state,
+                                      Real radius) {
+        return xy(state.v) != Vec2{} && state.r.z == 0 &&
+               (slip_friction(scene) == 0 || !slips(state, radius));
     }
 
     [[nodiscard]] Real roll_deceleration() const { return mu_g_; }  ///< m/s^2

@@ -7,6 +7,7 @@
 #include "shared/table/bounds.hpp"
 
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 namespace poolhall {
@@ -42,6 +43,7 @@ struct SlidingPart {
 class Sliding {
   public:
     using Part = SlidingPart;
+    static constexpr std::string_view kName = "sliding";
     static constexpr bool kPressesBalls = true;
 
     explicit Sliding(const SceneLike auto& scene)
@@ -49,6 +51,11 @@ class Sliding {
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.effects.sliding && scene.effects.sliding->mu * scene.gravity > 0;
+    }
+
+    [[nodiscard]] static bool acts_on(const SceneLike auto& /*scene*/, const BallState& state,
+                                      Real radius) {
+        return slips(state, radius);
     }
 
     /// The coefficient of friction of a scene's cloth, 0 if none.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "shared/fields.hpp"
+#include "shared/physics/effects/prospect.hpp"
 #include "shared/physics/effects/scene_like.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/table/bounds.hpp"
 
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 namespace poolhall {
@@ -37,12 +39,23 @@ struct SpinDecayPart {
 class SpinDecay {
   public:
     using Part = SpinDecayPart;
+    static constexpr std::string_view kName = "spin_decay";
 
     explicit SpinDecay(const SceneLike auto& scene)
         : torque_(called_for(scene) ? 5 * (scene.effects.spin_decay->mu * scene.gravity) : 0) {}
 
     [[nodiscard]] static bool called_for(const SceneLike auto& scene) {
         return scene.effects.spin_decay && scene.effects.spin_decay->mu * scene.gravity > 0;
+    }
+
+    [[nodiscard]] static std::optional<Bound> ruled_out(const SceneLike auto& /*scene*/,
+                                                        const Prospect& prospect) {
+        return Prospect::unless(prospect.side_spin, Bound::kNoSideSpin);
+    }
+
+    [[nodiscard]] static bool acts_on(const SceneLike auto& /*scene*/, const BallState& state,
+                                      Real /*radius*/) {
+        return state.w.z != 0;
     }
 
     [[nodiscard]] bool ends_spin() const { return torque_ > 0; }

@@ -10,6 +10,14 @@ namespace poolhall {
     return {ball.v.x - ball.radius * ball.w.y, ball.v.y + ball.radius * ball.w.x};
 }
 
+/// Whether a ball in that state slips on the cloth, by more than rounding.
+[[nodiscard]] inline bool slips(const BallState& state, Real radius) {
+    constexpr Real kRounding = 1e-9;
+    const Vec2 turns{radius * state.w.y, -radius * state.w.x};
+    const Vec2 slip = xy(state.v) - turns;
+    return state.r.z == 0 && norm(slip) > kRounding * (norm(xy(state.v)) + norm(turns));
+}
+
 /// The spin about the horizontal axes with which a ball rolls, rad/s.
 [[nodiscard]] inline Vec2 rolling_spin(Vec2 v, Real radius) {
     return {-v.y / radius, v.x / radius};

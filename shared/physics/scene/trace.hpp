@@ -2,6 +2,7 @@
 
 #include "shared/enum_names.hpp"
 #include "shared/fields.hpp"
+#include "shared/physics/effects/effect_account.hpp"
 #include "shared/physics/motion/event_kind.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/scene/scene.hpp"
@@ -86,6 +87,7 @@ struct FinalBall {
 /// All of one shot.
 struct ShotTrace {
     std::string_view kernel;  ///< name of the effect set that was simulated
+    EffectAccount effects;    ///< which of the scene's effects could act, and why others could not
     SolverKind solver = SolverKind::kEuler;
     Outcome outcome = Outcome::kRest;
     Real duration = 0;  ///< time of the last event, or the limit; s

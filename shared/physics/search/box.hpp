@@ -22,6 +22,9 @@ struct Box {
 
     static constexpr Box everything() { return {-kFar, kFar, -kFar, kFar}; }
 
+    /// Holds no point.
+    static constexpr Box nothing() { return {kFar, -kFar, kFar, -kFar}; }
+
     /// Widens by where x + v t + a t^2 / 2 turns within `time`: v^2 / (2 |a|) beyond its start.
     void add_turn_x(Real v, Real a, Real time) {
         if (v * (v + a * time) < 0) widen(low_x, high_x, -v * v / (2 * a));

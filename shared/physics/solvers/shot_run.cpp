@@ -8,10 +8,6 @@ namespace poolhall {
 
 namespace {
 
-BallIndex index_of(std::size_t ball) {
-    return BallIndex{static_cast<std::uint16_t>(ball)};
-}
-
 Vec3 place(const MovingBall& ball) {
     return {ball.r.x, ball.r.y, ball.height};
 }
@@ -26,11 +22,14 @@ ShotRun::ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotT
     trace_.sample_hz = sample_hz;
     if (sample_hz > 0) next_sample_ = 0;
     workspace_.balls.clear();
+    workspace_.in_scene.clear();
     for (const SceneBall& ball : scene.balls) {
+        workspace_.in_scene.push_back({static_cast<std::uint16_t>(workspace_.balls.size())});
         MovingBall& moving = workspace_.balls.emplace_back();
         moving.r = xy(ball.state.r);
         moving.v = xy(ball.state.v);
         moving.w = ball.state.w;
+        moving.w.z += 0;  // as friction leaves it: without a sign where it is zero
         moving.height = ball.state.r.z;
         moving.climb = ball.state.v.z;
         moving.radius = radius_of(scene, ball);
@@ -57,6 +56,7 @@ void ShotRun::strike() {
     ball.v = xy(motion.v);
     ball.climb = scene_.effects.airborne ? motion.v.z : 0;
     ball.w = motion.w;
+    ball.w.z += 0;
     add_event(0, EventKind::kStrike, struck, before);
 }
 
@@ -67,7 +67,7 @@ bool ShotRun::any_moves() const {
 }
 
 ShotEvent& ShotRun::add_event(Real t, EventKind kind, std::size_t ball, const MovingBall& before) {
-    return trace_.events.emplace_back(t, kind, index_of(ball), before, balls()[ball]);
+    return trace_.events.emplace_back(t, kind, workspace_.in_scene[ball], before, balls()[ball]);
 }
 
 void ShotRun::record(Real t, EventKind kind, std::size_t ball, const MovingBall& before) {
@@ -79,7 +79,7 @@ void ShotRun::record_pair(Real t, std::size_t a, std::size_t b, const MovingBall
                           const MovingBall& before_b) {
     ShotEvent& event = add_event(t, EventKind::kBallBall, a, before_a);
     event.ball_count = 2;
-    event.balls[1] = index_of(b);
+    event.balls[1] = workspace_.in_scene[b];
     event.before[1] = state_of(before_b);
     event.after[1] = state_of(balls()[b]);
 }
@@ -89,7 +89,7 @@ void ShotRun::record_rail(Real t, std::size_t ball, Rail rail, const MovingBall&
 }
 
 void ShotRun::capture(Real t, std::size_t ball, Pocket pocket) {
-    trace_.balls[ball].pocket = pocket;
+    trace_.balls[workspace_.in_scene[ball].value].pocket = pocket;
     take_away(t, ball, Motion::kPocketed, EventKind::kBallPocket).pocket = pocket;
 }
 
@@ -129,7 +129,7 @@ void ShotRun::end_samples() {
     // A tick may go on after the last event in it.
     while (samples_ > 1 && !due_before_end(samples_ - 2))
         --samples_;
-    trace_.samples.resize(samples_ * balls().size());
+    trace_.samples.resize(samples_ * scene_.balls.size());
 }
 
 void ShotRun::finish(Outcome outcome, Real t, std::uint64_t ticks) {
@@ -138,9 +138,14 @@ void ShotRun::finish(Outcome outcome, Real t, std::uint64_t ticks) {
     trace_.duration = t;
     if (outcome == Outcome::kRest)
         trace_.duration = trace_.events.empty() ? 0 : trace_.events.back().t;
+    if (balls().size() < scene_.balls.size()) {
+        for (std::size_t i = 0; i < scene_.balls.size(); ++i)
+            trace_.balls[i].state = scene_.balls[i].state;
+    }
     for (std::size_t i = 0; i < balls().size(); ++i) {
-        trace_.balls[i].motion = balls()[i].motion;
-        trace_.balls[i].state = state_of(balls()[i]);
+        FinalBall& ball = trace_.balls[workspace_.in_scene[i].value];
+        ball.motion = balls()[i].motion;
+        ball.state = state_of(balls()[i]);
     }
     if (trace_.sample_hz > 0) end_samples();
     trace_.hash = hash_of(trace_);

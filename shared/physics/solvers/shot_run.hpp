@@ -20,7 +20,8 @@ inline constexpr std::size_t kManyBalls = 24;
 /// its own (SolverMemory).
 struct Workspace {
     std::size_t many_balls = kManyBalls;
-    std::vector<MovingBall> balls;
+    std::vector<MovingBall> balls;    ///< that take part
+    std::vector<BallIndex> in_scene;  ///< where each of them is in the scene
     ContactSolver contact_solver;
     KeptCushionMap cushions;
     // What happens in one instant.
@@ -34,6 +35,21 @@ class ShotRun {
     /// Puts the balls on the table and delivers the strike.
     ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotTrace& trace);
 
+    /// Leaves out of the simulation the balls of which `takes_no_part(ball)`: those stay where they
+    /// are. To be called before anything happens, if at all.
+    template <class TakesNoPart>
+    void leave_out(TakesNoPart takes_no_part) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < balls().size(); ++i) {
+            if (takes_no_part(balls()[i])) continue;
+            balls()[kept] = balls()[i];
+            workspace_.in_scene[kept++] = workspace_.in_scene[i];
+        }
+        balls().resize(kept);
+        workspace_.in_scene.resize(kept);
+    }
+
+    /// Those that take part, in the scene's order.
     [[nodiscard]] std::vector<MovingBall>& balls() { return workspace_.balls; }
 
     [[nodiscard]] Workspace& workspace() const { return workspace_; }
@@ -68,8 +84,11 @@ class ShotRun {
     /// Writes one sample: place(i) is where ball i is then.
     template <class Place>
     void sample(Place place) {
-        for (std::size_t i = 0; i < workspace_.balls.size(); ++i)
-            trace_.samples.push_back(place(i));
+        std::size_t i = 0;
+        for (std::size_t ball = 0; ball < scene_.balls.size(); ++ball) {
+            const bool takes_part = i < balls().size() && workspace_.in_scene[i].value == ball;
+            trace_.samples.push_back(takes_part ? place(i++) : scene_.balls[ball].state.r);
+        }
         next_sample_ = static_cast<Real>(++samples_) / trace_.sample_hz;
     }
 

@@ -133,7 +133,8 @@ class SteppingSolver {
             kicked = i;
             cloth_.kick(balls[i], step, happened);
             // Friction may turn two balls towards each other again.
-            if constexpr (Set::template kHook<hooks::Slip>) balls[i].partner = MovingBall::kNobody;
+            if constexpr (Set::template kHook<hooks::Slip> || Set::template kHook<hooks::Roll>)
+                balls[i].partner = MovingBall::kNobody;
         }
         if (changed) search_.note_changes();
     }

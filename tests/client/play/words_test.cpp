@@ -116,6 +116,14 @@ TEST(ClockText, IsInSecondsBelowAMinute) {
     EXPECT_EQ(clock_text(3600), "60:00 min");
 }
 
+TEST_F(WordsTest, PhysicsAreTheSolverAndWhatTheLastShotCalledFor) {
+    EXPECT_EQ(physics_of(info()), "euler 30 Hz");
+    info().kernel = "slide_roll";
+    info().effects = {{"sliding", {}, true}, {"airborne", Bound::kLevelCue, false}};
+    EXPECT_EQ(physics_of(info()),
+              "euler 30 Hz, slide_roll; called for: sliding. Ruled out: jump (level cue)");
+}
+
 TEST_F(WordsTest, PhysicsThatTheMatchChoseAreItsOwn) {
     EXPECT_FALSE(has_own_physics(info()));
     info().table->settings = MatchSettings{.game = {}, .race_to = 3};

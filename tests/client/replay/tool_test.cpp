@@ -227,6 +227,8 @@ TEST_F(ReplayTool, ShowsVerifiesAndExportsAMatchWithSettings) {
     const ProgramRun show = run("show m2");
     EXPECT_TRUE(show.says("by poolhall 0.1.0, with physics of its own\n")) << show.text;
     EXPECT_TRUE(show.says("event         slide_roll_spin_end_game ")) << show.text;
+    EXPECT_TRUE(show.says("      called for: sliding, rolling, spin, rails, pockets, throw\n"))
+        << show.text;
     EXPECT_TRUE(run("show m1").says("euler:30      drag_rails_pockets "));
     EXPECT_TRUE(run("verify m2").says("replay m2: 6 shots, all as recorded\n"));
     EXPECT_EQ(run("export m2 -").text, replay_file(records));

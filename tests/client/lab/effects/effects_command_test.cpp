@@ -59,6 +59,12 @@ TEST_F(EffectsCommand, WritesARowForEveryKernelAndEffect) {
         EXPECT_GT(effect["present"]["ns_per_event"], 0) << effect;
         EXPECT_NE(std::string::npos, out.str().find(effect["effect"].get<std::string>()));
     }
+    ASSERT_EQ(4U, result["play"].size());
+    for (const json& kind : result["play"]) {
+        EXPECT_GT(kind["per_shot"]["ns"], 0) << kind;
+        for (const json& effect : kind["effects"])
+            EXPECT_LE(effect["acted"], effect["called_for"]) << kind;
+    }
     std::ifstream csv(folder / "effects.csv");
     std::size_t lines = 0;
     for (std::string line; std::getline(csv, line); ++lines)
