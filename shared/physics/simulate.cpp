@@ -39,18 +39,29 @@ std::size_t first_kernel(const Scene& scene, Wanted wanted) {
 
 }  // namespace
 
-void Simulator::run(std::size_t kernel, const Scene& scene, Real sample_hz, ShotTrace& trace) {
+void Simulator::run(std::size_t kernel, ShotRun& shot, ShotTrace& trace) {
+    const SolverKind solver = shot.scene().solver.kind;
     trace.kernel = kNames[kernel];
-    trace.solver = scene.solver.kind;
-    ShotRun run(scene, sample_hz, workspace_, trace);
-    const auto solver = static_cast<std::size_t>(scene.solver.kind);
-    solver_of(scene.solver.kind).run(kernel, run, memories_[solver]);
+    trace.solver = solver;
+    solver_of(solver).run(kernel, shot, memories_[static_cast<std::size_t>(solver)]);
 }
 
 void Simulator::simulate(const Scene& scene, Real sample_hz, ShotTrace& trace) {
     const std::size_t kernel = first_kernel(scene, [](std::string_view) { return true; });
     assert(kernel < kNames.size());
-    run(kernel, scene, sample_hz, trace);
+    ShotRun shot(scene, sample_hz, workspace_, trace);
+    run(kernel, shot, trace);
+}
+
+void Simulator::simulate_many(const Scene& position, std::span<const Strike> strikes,
+                              Real sample_hz, std::span<ShotTrace> traces) {
+    assert(strikes.size() == traces.size());
+    const std::size_t kernel = first_kernel(position, [](std::string_view) { return true; });
+    place_balls(position, placed_);
+    for (std::size_t i = 0; i < strikes.size(); ++i) {
+        ShotRun shot({position, strikes[i], placed_}, sample_hz, workspace_, traces[i]);
+        run(kernel, shot, traces[i]);
+    }
 }
 
 bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz,
@@ -58,7 +69,8 @@ bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, Real sa
     const std::size_t found =
         first_kernel(scene, [&](std::string_view name) { return name == kernel; });
     if (found == kNames.size()) return false;
-    run(found, scene, sample_hz, trace);
+    ShotRun shot(scene, sample_hz, workspace_, trace);
+    run(found, shot, trace);
     return true;
 }
 
