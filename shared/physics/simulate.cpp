@@ -48,21 +48,34 @@ void Simulator::run(std::size_t kernel, ShotRun& shot, ShotTrace& trace) {
 }
 
 void Simulator::simulate(const Scene& scene, Real sample_hz, ShotTrace& trace) {
-    ShotRun shot(scene, sample_hz, workspace_, trace);
+    simulate_what_may_act([&] { return ShotRun(scene, sample_hz, workspace_, trace); }, trace);
+}
+
+void Simulator::simulate_many(const Scene& position, std::span<const Strike> strikes,
+                              Real sample_hz, std::span<ShotTrace> traces) {
+    assert(strikes.size() == traces.size());
+    place_balls(position, placed_);
+    for (std::size_t i = 0; i < strikes.size(); ++i) {
+        const ShotFrom shot{position, strikes[i], placed_};
+        simulate_what_may_act([&] { return ShotRun(shot, sample_hz, workspace_, traces[i]); },
+                              traces[i]);
+    }
+}
+
+/// begin() makes the shot as it is after the strike.
+template <class Begin>
+void Simulator::simulate_what_may_act(Begin begin, ShotTrace& trace) {
+    ShotRun shot = begin();
+    const Scene& scene = shot.scene();
     const Prospect prospect = prospect_of(scene, shot.balls(), reach_);
     trace.effects = EffectAccount(scene, prospect);
     if (prospect.reach_is_bounded)
         shot.leave_out([&](const MovingBall& ball) { return takes_no_part(ball, prospect); });
     run(first_kernel(trace.effects), shot, trace);
-    if (prospect.reach_is_by_energy && !stayed_within(prospect, scene, trace, reach_))
-        simulate_whole(scene, sample_hz, trace);
-}
-
-/// The shot without bounds of its reach.
-void Simulator::simulate_whole(const Scene& scene, Real sample_hz, ShotTrace& trace) {
-    ShotRun shot(scene, sample_hz, workspace_, trace);
+    if (!prospect.reach_is_by_energy || stayed_within(prospect, scene, trace, reach_)) return;
+    ShotRun whole = begin();
     trace.effects = EffectAccount(scene, Prospect{});
-    run(first_kernel(trace.effects), shot, trace);
+    run(first_kernel(trace.effects), whole, trace);
 }
 
 bool Simulator::simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz,

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace poolhall {
 
@@ -32,6 +33,12 @@ class Simulator {
     /// its memory is used again. The scene must have passed check().
     void simulate(const Scene& scene, Real sample_hz, ShotTrace& trace);
 
+    /// One shot for each strike from the same position: traces[i] is what simulate() makes of the
+    /// scene with strikes[i], to the last bit, so work may be split in any way between simulators.
+    /// What does not depend on the strike is done once. There are as many traces as strikes.
+    void simulate_many(const Scene& position, std::span<const Strike> strikes, Real sample_hz,
+                       std::span<ShotTrace> traces);
+
     /// simulate() by the kernel of that name. False, and the trace untouched, if there is none or
     /// it does not cover the scene.
     [[nodiscard]] bool simulate_by(std::string_view kernel, const Scene& scene, Real sample_hz,
@@ -39,12 +46,14 @@ class Simulator {
 
   private:
     void run(std::size_t kernel, ShotRun& shot, ShotTrace& trace);
-    void simulate_whole(const Scene& scene, Real sample_hz, ShotTrace& trace);
+    template <class Begin>
+    void simulate_what_may_act(Begin begin, ShotTrace& trace);
     bool simulate_within_bounds(std::size_t kernel, const Scene& scene, Real sample_hz,
                                 ShotTrace& trace);
 
     Workspace workspace_;
     ReachMemory reach_;
+    std::vector<MovingBall> placed_;  ///< of simulate_many()
     std::array<SolverMemory, kCount<SolverKind>> memories_;
 };
 

@@ -71,17 +71,52 @@ BenchRow row(std::string name, const Cost& cost, double pieces, Unit unit, const
     return result;
 }
 
-std::vector<BenchRow> two_balls() {
-    const std::vector<Scene> shots = two_ball_shots(200);
+std::vector<BenchRow> two_ball_rows(const std::string& name, const std::vector<Scene>& shots,
+                                    std::vector<Reference> rates, std::vector<Reference> events) {
     const Tally sum = tally(shots);
     const Cost cost = cost_of(shots);
     const auto count = static_cast<double>(shots.size());
-    BenchRow rate = row("two_ball_shot", cost, count, {1, "shots/s"}, sum);
+    BenchRow rate = row(name + "_shot", cost, count, {1, "shots/s"}, sum);
     rate.value = 1e9 / rate.value;
-    rate.references = {{kPooltool, 237}, {kFastFiz, 71000}, {kPrototype, 370000}};
-    BenchRow events = row("two_ball_event", cost, sum.events, {1, "ns/event"}, sum);
-    events.references = {{kFastFiz, 1300}, {kPrototype, 220}};
-    return {rate, events};
+    rate.references = std::move(rates);
+    BenchRow event = row(name + "_event", cost, sum.events, {1, "ns/event"}, sum);
+    event.references = std::move(events);
+    return {rate, event};
+}
+
+std::vector<BenchRow> two_balls() {
+    return two_ball_rows("two_ball", two_ball_shots(200), {{kPooltool, 237}, {kPrototype, 370000}},
+                         {{kPrototype, 220}});
+}
+
+/// FastFiz has no table without pockets.
+std::vector<BenchRow> two_balls_and_mouths() {
+    std::vector<Scene> shots = two_ball_shots(200);
+    for (Scene& shot : shots)
+        shot.table.pockets = PocketModel::kPool;
+    return two_ball_rows("two_ball_pool_table", shots, {{kFastFiz, 71000}}, {{kFastFiz, 1300}});
+}
+
+/// Shots from one position whose aims and speeds lie close together.
+std::vector<BenchRow> many_shots() {
+    const Scene position = two_ball_shots(1)[0];
+    std::vector<Strike> strikes;
+    std::vector<Scene> scenes;
+    for (int i = 0; i < 200; ++i) {
+        Scene scene = position;
+        const Vec2 aim = scene.strike->direction;
+        scene.strike->direction = aim + (1e-4 * i) * Vec2{-aim.y, aim.x};
+        scene.strike->speed += 0.01 * (i % 7);
+        strikes.push_back(*scene.strike);
+        scenes.push_back(scene);
+    }
+    const Tally sum = tally(scenes);
+    std::vector<ShotTrace> traces(strikes.size());
+    Simulator simulator;
+    const Cost together = measure([&] { simulator.simulate_many(position, strikes, 0, traces); });
+    const auto count = static_cast<double>(strikes.size());
+    return {row("one_by_one", cost_of(scenes), count, {1, "ns/shot"}, sum),
+            row("simulate_many", together, count, {1, "ns/shot"}, sum)};
 }
 
 std::vector<BenchRow> break_rows(const std::string& name, const Scene& scene,
@@ -103,14 +138,14 @@ std::vector<BenchRow> nine_balls() {
 }
 
 std::vector<BenchRow> fifteen_balls() {
-    return break_rows("fifteen_ball_break", fifteen_ball_break(1e-4),
-                      {{kPooltool, 100000}, {kFastFiz, 1129}}, {{kFastFiz, 18000}});
+    return break_rows("fifteen_ball_break", fifteen_ball_break(1e-4), {{kPooltool, 100000}}, {});
 }
 
 std::vector<BenchRow> mouths() {
     Scene scene = fifteen_ball_break(1e-4);
     scene.table.pockets = PocketModel::kPool;
-    return break_rows("pool_table_break", scene, {{kPooltool, 100000}, {kFastFiz, 1129}}, {});
+    return break_rows("pool_table_break", scene, {{kPooltool, 100000}, {kFastFiz, 1129}},
+                      {{kFastFiz, 18000}});
 }
 
 std::vector<BenchRow> steps() {
@@ -226,6 +261,8 @@ std::vector<BenchRow> event_counts() {
 const std::vector<BenchGroup>& bench_groups() {
     static const std::vector<BenchGroup> groups{
         {"two_balls", two_balls},
+        {"two_balls_and_mouths", two_balls_and_mouths},
+        {"many_shots", many_shots},
         {"nine_balls", nine_balls},
         {"fifteen_balls", fifteen_balls},
         {"mouths", mouths},

@@ -24,9 +24,10 @@ class Chords {
         tick_end_ = 0;
     }
 
-    void begin_tick(Real begin, Real end) {
+    /// `moving` has every ball that is not at rest; the others have no need of a chord.
+    void begin_tick(Real begin, Real end, const BallList& moving) {
         tick_end_ = end;
-        for (std::size_t i = 0; i < chords_.size(); ++i)
+        for (const std::size_t i : moving)
             aim(i, begin);
     }
 

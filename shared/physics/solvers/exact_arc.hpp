@@ -50,7 +50,7 @@ class ExactArcSolver {
     Outcome tick(Real begin, Real end) {
         const Real dt = end - begin;
         Real passed = 0;
-        chords_.begin_tick(begin, end);
+        chords_.begin_tick(begin, end, memory_.stepping.moving);
         for (int round = 0; round < kMaxContactsPerTick; ++round) {
             if (run_.event_limit_reached()) return Outcome::kEventLimit;
             const Real rest = std::max(dt - passed, Real{0});

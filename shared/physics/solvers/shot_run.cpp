@@ -14,18 +14,10 @@ Vec3 place(const MovingBall& ball) {
 
 }  // namespace
 
-ShotRun::ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotTrace& trace)
-    : scene_(scene), trace_(trace), workspace_(workspace) {
-    trace_.events.clear();
-    trace_.samples.clear();
-    trace_.balls.assign(scene.balls.size(), FinalBall{});
-    trace_.sample_hz = sample_hz;
-    if (sample_hz > 0) next_sample_ = 0;
-    workspace_.balls.clear();
-    workspace_.in_scene.clear();
+void place_balls(const Scene& scene, std::vector<MovingBall>& balls) {
+    balls.clear();
     for (const SceneBall& ball : scene.balls) {
-        workspace_.in_scene.push_back({static_cast<std::uint16_t>(workspace_.balls.size())});
-        MovingBall& moving = workspace_.balls.emplace_back();
+        MovingBall& moving = balls.emplace_back();
         moving.r = xy(ball.state.r);
         moving.v = xy(ball.state.v);
         moving.w = ball.state.w;
@@ -36,23 +28,46 @@ ShotRun::ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotT
         moving.reach = rail_reach(scene.table, moving.radius);
         moving.mass = mass_of(scene, ball);
     }
-    workspace_.contact_solver.prepare({.ball_ball = scene.effects.ball_ball,
-                                       .rail = scene.effects.rail,
-                                       .mu_table = slip_friction(scene),
-                                       .unit_mass = scene.ball.mass,
-                                       .pressed = presses_balls(scene),
-                                       .in_space = scene.effects.airborne.has_value(),
-                                       .balls = scene.balls.size()});
-    strike();
 }
 
-void ShotRun::strike() {
-    if (!scene_.strike) return;
-    const std::size_t struck = scene_.strike->ball.value;
+ShotRun::ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotTrace& trace)
+    : scene_(scene), trace_(trace), workspace_(workspace) {
+    place_balls(scene, workspace_.balls);
+    begin(sample_hz);
+    if (scene.strike) deliver(*scene.strike);
+}
+
+ShotRun::ShotRun(const ShotFrom& shot, Real sample_hz, Workspace& workspace, ShotTrace& trace)
+    : scene_(shot.scene), trace_(trace), workspace_(workspace) {
+    workspace_.balls.assign(shot.balls.begin(), shot.balls.end());
+    begin(sample_hz);
+    deliver(shot.strike);
+}
+
+void ShotRun::begin(Real sample_hz) {
+    trace_.events.clear();
+    trace_.samples.clear();
+    trace_.balls.assign(scene_.balls.size(), FinalBall{});
+    trace_.sample_hz = sample_hz;
+    if (sample_hz > 0) next_sample_ = 0;
+    workspace_.in_scene.clear();
+    for (std::size_t i = 0; i < balls().size(); ++i)
+        workspace_.in_scene.push_back({static_cast<std::uint16_t>(i)});
+    workspace_.contact_solver.prepare({.ball_ball = scene_.effects.ball_ball,
+                                       .rail = scene_.effects.rail,
+                                       .mu_table = slip_friction(scene_),
+                                       .unit_mass = scene_.ball.mass,
+                                       .pressed = presses_balls(scene_),
+                                       .in_space = scene_.effects.airborne.has_value(),
+                                       .balls = scene_.balls.size()});
+}
+
+void ShotRun::deliver(const Strike& strike) {
+    const std::size_t struck = strike.ball.value;
     MovingBall& ball = balls()[struck];
     const MovingBall before = ball;
     const CueBallMotion motion =
-        strike_motion(strike_of_ball(*scene_.strike, {ball.radius, ball.mass}), ball.radius);
+        strike_motion(strike_of_ball(strike, {ball.radius, ball.mass}), ball.radius);
     ball.v = xy(motion.v);
     ball.climb = scene_.effects.airborne ? motion.v.z : 0;
     ball.w = motion.w;

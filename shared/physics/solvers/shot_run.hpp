@@ -29,11 +29,23 @@ struct Workspace {
     std::vector<MovingBall> before;  ///< two a contact: the balls before it was resolved
 };
 
+/// Writes the balls of a scene as they are before its strike.
+void place_balls(const Scene& scene, std::vector<MovingBall>& balls);
+
+/// One shot of many from the same position: a strike in place of the scene's own, and the scene's
+/// balls, from place_balls().
+struct ShotFrom {
+    const Scene& scene;
+    const Strike& strike;
+    std::span<const MovingBall> balls;
+};
+
 /// A shot in progress: its balls, and the trace that is written of it. The solvers drive it.
 class ShotRun {
   public:
     /// Puts the balls on the table and delivers the strike.
     ShotRun(const Scene& scene, Real sample_hz, Workspace& workspace, ShotTrace& trace);
+    ShotRun(const ShotFrom& shot, Real sample_hz, Workspace& workspace, ShotTrace& trace);
 
     /// Leaves out of the simulation the balls of which `takes_no_part(ball)`: those stay where they
     /// are. To be called before anything happens, if at all.
@@ -109,7 +121,8 @@ class ShotRun {
     void finish(Outcome outcome, Real t, std::uint64_t ticks);
 
   private:
-    void strike();
+    void begin(Real sample_hz);
+    void deliver(const Strike& strike);
     void end_samples();
     /// Ends the ball's part in the shot.
     ShotEvent& take_away(Real t, std::size_t ball, Motion to, EventKind kind);
