@@ -106,8 +106,7 @@ TEST(Minimise, FindsTheLeastOfASmoothFunctionWithinItsBounds) {
         return (at[0] - 1) * (at[0] - 1) + 10 * (at[1] + 2) * (at[1] + 2);
     };
     for (const SearchMethod method : {SearchMethod::kQuadratic, SearchMethod::kSimplex}) {
-        const Minimum found =
-            minimise(method, {{0, 0}, {-5, -1}, {5, 5}, {0.5, 0.5}}, 300, value);
+        const Minimum found = minimise(method, {{0, 0}, {-5, -1}, {5, 5}, {0.5, 0.5}}, 300, value);
         EXPECT_NEAR(1, found.at[0], 0.05);
         EXPECT_NEAR(-1, found.at[1], 1e-3);
     }
