@@ -1,9 +1,10 @@
 """The report: figures, tables, and what they say, put together as one page of Markdown."""
 
+import measurements
 import tables
 import words
 from findings import has_verdicts, measured
-from numbers_in_words import duration, listed, metres
+from numbers_in_words import duration, listed, metres, time_of_ns
 from results import ensemble_of
 
 # The two that the short answer and the main table are about, where the run has them.
@@ -188,17 +189,18 @@ def _ensembles(accuracy):
     return tables.table(["ensemble", "shots", "reference", "its own error, about"], rows)
 
 
-def markdown(accuracy, effects, picture):
+def markdown(accuracy, effects, validate, picture):
     """The whole report. `picture`: whether there is a comparison of one shot beside the other figures."""
     ensembles = accuracy["ensembles"]
     main = [ensemble for name in MAIN for ensemble in [ensemble_of(accuracy, name)] if ensemble] or ensembles[:2]
     again = accuracy["command"].removeprefix("poolhall-lab accuracy").strip()
     parts = [
-        _head(accuracy), _short(accuracy, main), _main_tables(main), _work_precision(ensembles, main), _orders(accuracy),
+        _head(accuracy), _short(accuracy, main), _main_tables(main), _work_precision(ensembles, main),
+        measurements.unknown_section(accuracy, validate, time_of_ns), _orders(accuracy),
         _verdicts(ensembles), _in_time(ensembles),
         _measured_or_not("Tunnelling", accuracy["tunnelling"], "tunnelling", "Collisions missed, against speed"),
         _measured_or_not("Many balls", accuracy["crowds"], "crowds", "Cost of a shot, against the number of balls"),
-        _effects(effects), _comparison(picture),
+        _effects(effects), _comparison(picture), measurements.section(validate),
         f"## What the words mean\n\n{SOLVERS}\n\n{DEFINITIONS}\n\n{TO_THE_LETTER}\n\n{_ensembles(accuracy)}",
         f"""## Again
 
@@ -207,4 +209,4 @@ def markdown(accuracy, effects, picture):
 measures all of it anew and writes this page and its figures; other machines give other times, and the same errors,
 verdicts and orders.
 `./poolhall report --help` has what else it can do."""]
-    return "\n\n".join(part.strip() for part in parts) + "\n"
+    return "\n\n".join(part.strip() for part in parts if part) + "\n"

@@ -2,6 +2,7 @@
 
 import argparse
 import shutil
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -9,11 +10,13 @@ from pathlib import Path
 import curves
 import document
 import effects_figure
+import measured_figures
+import measurements
 import measuring
 import verdicts
 import work_precision
 from findings import measured
-from results import BadResults, read_accuracy, read_effects
+from results import BadResults, read_accuracy, read_effects, read_validate
 
 HERE = Path(__file__).resolve().parent
 SCENE = HERE.parent / "scenes" / "break_9_ball.json"
@@ -30,6 +33,7 @@ def arguments_of(command_line):
     parser.add_argument("--out", type=Path, default=HERE, metavar="DIR",
                         help="the folder for README.md, figures/ and results/; else client/lab/report")
     parser.add_argument("--draw-only", action="store_true", help="draw again from DIR/results, without measuring")
+    parser.add_argument("--recorded", type=Path, metavar="FILE", help="recorded shots, for poolhall-lab validate")
     parser.add_argument("--lab", default="poolhall-lab", help=argparse.SUPPRESS)
     options, rest = parser.parse_known_args(command_line)
     if options.draw_only and rest:
@@ -46,7 +50,7 @@ def effects_flags(rest):
     return taken
 
 
-def measure(lab, rest, work):
+def measure(lab, rest, work, recorded):
     """Fills work/results and work/figures as far as it gets; the exit status.
 
     A run of accuracy takes long: what comes after it may fail without losing it."""
@@ -56,10 +60,14 @@ def measure(lab, rest, work):
         with open(results / "compare.txt", "w", encoding="utf-8") as text:
             return lab.run("compare", SCENE, "--out", figures, stdout=text)
 
+    def validate():
+        return lab.run("validate", *(["--recorded", recorded] if recorded else []), "--out", results, stdout=subprocess.DEVNULL)
+
     status = 0
     if not lab.run("accuracy", *rest, "--out", results):
         return measuring.INTERRUPTED
-    for command, run in (("effects", lambda: lab.run("effects", *effects_flags(rest), "--out", results)), ("compare", compare)):
+    for command, run in (("effects", lambda: lab.run("effects", *effects_flags(rest), "--out", results)), ("compare", compare),
+                         ("validate", validate)):
         if not lab.knows(command):
             print(f"poolhall: this poolhall-lab has no '{command}', so the report leaves it out", file=sys.stderr)
             continue
@@ -77,31 +85,36 @@ def source_of(data):
     return f"{data['command']} · seed {data['seed']} · {build['cpu']} · {build['compiler']} · {build['flags']}"
 
 
-def sheets(accuracy, effects):
+def sheets(accuracy, effects, validate):
     """(name, sheet) of every figure for which there are numbers."""
     source = source_of(accuracy)
     ensembles = [ensemble for ensemble in accuracy["ensembles"] if measured(ensemble)]
     if ensembles:
-        yield "work_precision", work_precision.overview(ensembles, source)
+        yield "work_precision", work_precision.overview(ensembles, validate, source)
     for ensemble in ensembles:
-        yield f"work_precision_{ensemble['name']}", work_precision.figure(ensemble, source)
+        yield f"work_precision_{ensemble['name']}", work_precision.figure(ensemble, validate, source)
     yield "verdict_flips", verdicts.figure(accuracy["ensembles"], source)
     yield "error_in_time", curves.errors_in_time(accuracy["ensembles"], source)
     yield "tunnelling", curves.tunnelling(accuracy, source)
     yield "crowds", curves.crowds(accuracy, source)
     if effects:
         yield "effects", effects_figure.figure(effects, source_of(effects))
+    for one in validate["figures"] if validate else ():
+        yield f"measured_{one['name']}", measured_figures.figure(one, validate["command"])
 
 
 def draw(results, work):
     """work/README.md and work/figures from what was measured."""
     accuracy = read_accuracy(results / "accuracy.json")
     effects = read_effects(results / "effects.json")
-    for name, sheet in sheets(accuracy, effects):
+    validate = read_validate(results / "validate.json")
+    for name, sheet in sheets(accuracy, effects, validate):
         if sheet:
             sheet.save(work / "figures", name)
     picture = (work / "figures" / "compare.png").exists()
-    (work / "README.md").write_text(document.markdown(accuracy, effects, picture), encoding="utf-8")
+    (work / "README.md").write_text(document.markdown(accuracy, effects, validate, picture), encoding="utf-8")
+    if validate:
+        (work / "MEASURED.md").write_text(measurements.page(validate), encoding="utf-8")
 
 
 def publish(folder, work, out):
@@ -122,14 +135,16 @@ def make(options, rest):
             for picture in (options.out / "figures").glob("compare.*"):
                 shutil.copy(picture, work / "figures")
         else:
-            status = measure(lab, rest, work)
+            status = measure(lab, rest, work, options.recorded)
             if lab.interrupted and not (work / "results" / "accuracy.json").exists():
                 print("poolhall: interrupted before anything was finished; the report is as it was", file=sys.stderr)
                 return status
             publish("results", work, options.out)
         draw(options.out / "results", work)
         publish("figures", work, options.out)
-        (work / "README.md").rename(options.out / "README.md")
+        for page in ("README.md", "MEASURED.md"):
+            if (work / page).exists():
+                (work / page).rename(options.out / page)
     if lab.interrupted:
         print(f"poolhall: interrupted; {options.out / 'README.md'} has what was finished", file=sys.stderr)
     else:

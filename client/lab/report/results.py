@@ -58,6 +58,21 @@ def read_effects(path):
     return _read(path, "effects.schema.json") if path.exists() else None
 
 
+def read_validate(path):
+    """A poolhall.validate/1 as a dict, or None where there is no such file; raises BadResults."""
+    if not path.exists():
+        return None
+    data = _read(path, "validate.schema.json")
+    for number, figure in enumerate(data["figures"]):
+        _check_lengths(path, f"/figures/{number}/curves", figure["curves"], ("x", "y"))
+    for number, table in enumerate(data["tables"]):
+        for name in ("rms", "rms_without_outliers"):
+            _check_lengths(path, f"/tables/{number}", [table], ("models", name))
+        _check_lengths(path, f"/tables/{number}/rows", [{**row, "models": table["models"]} for row in table["rows"]],
+                       ("models", "ours", "errors"))
+    return data
+
+
 def solvers_of(ensemble):
     """Points by solver, slowest rate first; solvers in one order everywhere."""
     order = ("euler", "semi_implicit", "exact_arc", "overlap", "event")

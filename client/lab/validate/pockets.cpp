@@ -96,9 +96,10 @@ Mouths wide_jaws() {
 
 std::string note_on_jaws() {
     const Mouths wide = wide_jaws();
-    char note[200];
+    char note[260];
     std::snprintf(note, sizeof(note),
-                  "From jaws of 21 mm to 4 mm the balls that are down differ in %.1f %% of the jaw "
+                  "The sweep ends where a ball 1 m off would begin in the rail. From jaws of 21 mm "
+                  "to 4 mm the balls that are down differ in %.1f %% of the jaw "
                   "rattles and %.1f %% of the nine-ball breaks of poolhall-lab accuracy.",
                   changed_verdicts("jaw_rattle", wide), changed_verdicts("nine_ball_break", wide));
     return note;
@@ -107,8 +108,8 @@ std::string note_on_jaws() {
 }  // namespace
 
 std::vector<MeasuredTable> pocket_tables() {
-    MeasuredTable table{.name = "corner_pocket",
-                        .title = "Corner pocket, along the rail: what goes in",
+    MeasuredTable width{.name = "corner_pocket",
+                        .title = "Corner pocket, along the rail: width of what goes in",
                         .unit = "mm",
                         .source = "TP 3.5 to 3.8 (Alciatore, second hand)",
                         .accuracy = "computed there from the pocket's geometry: some mm",
@@ -130,8 +131,16 @@ std::vector<MeasuredTable> pocket_tables() {
         fast.ours.emplace_back(at_medium.width - at_fast.width);
         shift.ours.emplace_back(std::abs(at_fast.middle - at_slow.middle));
     }
-    table.rows = {slow, medium, fast, shift};
-    return {table};
+    width.rows = {slow};
+    MeasuredTable speed = width;
+    speed.name = "corner_pocket_by_speed";
+    speed.title = "Corner pocket, along the rail: what speed changes";
+    speed.reach = {};
+    speed.note =
+        "At 4 m/s a ball that the jaws throw out may still come back within the time that is "
+        "looked at, which widens the pocket again.";
+    speed.rows = {medium, fast, shift};
+    return {width, speed};
 }
 
 }  // namespace poolhall::lab

@@ -40,6 +40,9 @@ MeasuredTable rail_speed_table() {
                         .source = "WPA equipment specifications, 8; what is firm: players",
                         .accuracy = "loose",
                         .digits = 2,
+                        .note =
+                            "The preset's e(v) falls above 3.5 m/s, where nobody has measured it: "
+                            "fast balls lose more than they do on a table.",
                         .models = names_of(pool_noses())};
     MeasuredRow row{"4.25 lengths", kFirm};
     for (const NoseModel& model : pool_noses())

@@ -30,10 +30,13 @@ constexpr const char* kSource =
 constexpr const char* kNote =
     "Shot 1's cue ball is 12 to 16 % off in every model, M14's own included: an outlier. Friction "
     "of "
-    "the cloth during the impact (mathavan2014) changes speeds by 1 % and angles by 0.2 degrees at "
-    "most, less than the measurement's own error of 1 to 3 %; it is not what is missing. What is "
+    "the cloth during the impact (mathavan2014) changes no speed by more than 0.7 % and no angle "
+    "by "
+    "more than 0.4 degrees, below what the films tell apart: it is not what is missing. What is "
     "left "
-    "is shot 5: at 18 degrees of cut, 0.01 of e turns the cue ball by 0.4 degrees.";
+    "is shot 5, where 0.01 of e turns the cue ball by 0.4 degrees: its speeds ask for a higher e "
+    "than "
+    "its angle does.";
 
 TwoBallOutcome outcome_of(const FilmedShot& shot, const BallModel& model) {
     TwoBallCase one{.ball = kSnookerBall, .impact = model.spec, .speed = shot.speed};

@@ -30,8 +30,12 @@ constexpr std::array kBreaks{"nine_ball_break", "fifteen_ball_break"};
 
 /// Balls up to `most` m from where they were; touching balls stay apart.
 Scene misplaced(Scene scene, double most, Random& random) {
-    for (SceneBall& ball : scene.balls)
-        set_xy(ball.state.r, xy(ball.state.r) + most * random.direction());
+    const Vec2 edge = inset(scene.table, scene.ball.radius);
+    for (SceneBall& ball : scene.balls) {
+        const Vec2 place = xy(ball.state.r) + most * random.direction();
+        set_xy(ball.state.r,
+               {std::clamp(place.x, -edge.x, edge.x), std::clamp(place.y, -edge.y, edge.y)});
+    }
     constexpr int kRounds = 50;
     for (int i = 0; i < kRounds; ++i) {
         for (std::size_t a = 0; a < scene.balls.size(); ++a) {

@@ -177,7 +177,9 @@ TEST_F(LabProgram, RefusesBadOptions) {
          {"", "simulate --solver rk4", "simulate --sample nan", "simulate --sample -1",
           "simulate a b", "fly", "bench --csv /nowhere/x.csv", "accuracy --shots 0",
           "accuracy --shots many", "accuracy --seed -1", "accuracy --seed 1e30",
-          "accuracy --only three_balls", "accuracy --out /proc/nowhere", "accuracy 7"})
+          "accuracy --only three_balls", "accuracy --out /proc/nowhere", "accuracy 7",
+          "validate --threads 0", "validate --recorded /nowhere/shots.json",
+          "validate --out /proc/nowhere", "validate 7"})
         EXPECT_EQ(run(arguments).status, 2) << arguments;
     EXPECT_EQ(run("--help").status, 0);
 }

@@ -54,14 +54,10 @@ def main(lab):
     noise = random.Random(1)
     shots = []
     for number, line in enumerate(answer.stdout.splitlines()):
-        samples = json.loads(line)["samples"]
-        shots.append((number, samples))
-    result = []
-    for number, samples in shots:
-        places = samples["r"] if isinstance(samples, dict) else samples
-        balls = {str(ball + 1): recorded([place[ball] for place in places], 50, noise) for ball in range(3)}
-        result.append({"id": number + 1, "balls": balls})
-    print("[" + ",\n".join(json.dumps(shot, separators=(",", ":")) for shot in result) + "]")
+        samples = [sample["r"] for sample in json.loads(line)["samples"]]
+        balls = {str(ball + 1): recorded([places[ball] for places in samples], 50, noise) for ball in range(3)}
+        shots.append({"id": number + 1, "balls": balls})
+    print("[" + ",\n".join(json.dumps(shot, separators=(",", ":")) for shot in shots) + "]")
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ constexpr FitPlan kPlan{200, 24, 2};
 
 TEST(ShotMarks, TellWhereTheCueBallGoesAtFirst) {
     const ShotMarks marks = marks_of(made_up_shots()[0]);
-    EXPECT_NEAR(0, cross(marks.direction, normalized({1.6, 0.52})), 0.005);
+    EXPECT_NEAR(0, cross(marks.direction, normalized(Vec2{1.6, 0.52})), 0.005);
     EXPECT_NEAR(3.2, marks.speed, 0.2);
     EXPECT_GT(marks.third_rail, 0.5);
     EXPECT_LT(marks.third_rail, marks.end);
@@ -43,7 +43,7 @@ TEST(ShotMarks, TellWhereTheCueBallGoesAtFirst) {
 
 TEST(BallCourses, AreWhereTheSamplesOfTheTraceAre) {
     Scene scene = scene_of(made_up_shots()[0], true_constants());
-    scene.strike->direction = {1.6, 0.52};
+    scene.strike->direction = Vec2{1.6, 0.52};
     scene.strike->speed = 3.2;
     const ShotTrace trace = simulate(scene, 37);
     BallCourses courses;
@@ -106,8 +106,7 @@ TEST(Minimise, FindsTheLeastOfASmoothFunctionWithinItsBounds) {
         return (at[0] - 1) * (at[0] - 1) + 10 * (at[1] + 2) * (at[1] + 2);
     };
     for (const SearchMethod method : {SearchMethod::kQuadratic, SearchMethod::kSimplex}) {
-        const Minimum found =
-            minimise(method, {{0, 0}, {-5, -1}, {5, 5}, {0.5, 0.5}}, 300, value);
+        const Minimum found = minimise(method, {{0, 0}, {-5, -1}, {5, 5}, {0.5, 0.5}}, 300, value);
         EXPECT_NEAR(1, found.at[0], 0.05);
         EXPECT_NEAR(-1, found.at[1], 1e-3);
     }

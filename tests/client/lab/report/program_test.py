@@ -94,7 +94,8 @@ class ProgramTest(unittest.TestCase):
         result = report_files.run("--quick", "--seed=4", "--out", self.folder / "out", "--lab", lab)
         self.assertEqual(3, result.returncode)
         self.assertEqual("poolhall: 'effects' failed, so the report leaves it out\n"
-                         "poolhall: this poolhall-lab has no 'compare', so the report leaves it out\n", result.stderr)
+                         "poolhall: this poolhall-lab has no 'compare', so the report leaves it out\n"
+                         "poolhall: this poolhall-lab has no 'validate', so the report leaves it out\n", result.stderr)
         self.assertIn("what each effect costs and is worth is left out", (self.folder / "out" / "README.md").read_text())
 
     def test_ctrl_c_keeps_what_is_finished_and_says_so(self):

@@ -138,7 +138,7 @@ class DocumentTest(unittest.TestCase):
         bare = json.loads(json.dumps({**ACCURACY, "tunnelling": [], "crowds": [], "quick": True, "complete": False}))
         for ensemble in bare["ensembles"]:
             ensemble["orders"], ensemble["error_in_time"] = [], []
-        page = document.markdown(bare, None, False)
+        page = document.markdown(bare, None, None, False)
         for said in ("**A quick run**", "**The run was interrupted**", "No order was fitted", "what each effect costs and is worth is left out",
                      "## Tunnelling\n\nNot measured", "## Many balls\n\nNot measured", "No picture of one shot"):
             with self.subTest(said):
@@ -147,7 +147,7 @@ class DocumentTest(unittest.TestCase):
             self.assertNotIn(f"figures/{name}.", page)
 
     def test_a_run_of_nothing_makes_a_page(self):
-        page = document.markdown({**ACCURACY, "ensembles": [], "tunnelling": [], "crowds": []}, None, False)
+        page = document.markdown({**ACCURACY, "ensembles": [], "tunnelling": [], "crowds": []}, None, None, False)
         self.assertTrue(page.startswith("# What accuracy costs in time\n"))
 
 

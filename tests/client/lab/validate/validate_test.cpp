@@ -79,11 +79,14 @@ TEST(Validate, ObjectBallLeavesByTheAngleThatIsAskedFor) {
     EXPECT_GT(one.cut, 40 * kDegree);
 }
 
-TEST(Diamonds, KickWithoutFrictionOrSpinIsAMirrorOneRadiusBeforeTheNose) {
-    const RailSpec rail{};
-    // The rolling ball keeps its spin, so that it goes on more steeply after the rail.
-    EXPECT_GT(mirror_depth(rail, 45 * kDegree), -0.1);
-    EXPECT_FALSE(third_rail(rail, {5, 0.01}, 0));
+TEST(Diamonds, MirrorOfAKickIsFartherBehindTheNoseForAMoreObliqueBall) {
+    const RailSpec rail = pool_noses()[0].rail;
+    EXPECT_GT(mirror_depth(rail, 60 * kDegree), mirror_depth(rail, 30 * kDegree));
+}
+
+TEST(Diamonds, LineThatMissesAnyOfItsThreeRailsHasNoThirdRail) {
+    EXPECT_FALSE(third_rail(pool_noses()[0].rail, {5, 0.01}, 0));
+    EXPECT_TRUE(third_rail(pool_noses()[0].rail, {5, 3}, 0));
 }
 
 TEST(Diamonds, FasterBallGoesMoreLengths) {
