@@ -1,9 +1,9 @@
 #pragma once
 
-#include "shared/physics/effects/kernels.hpp"
 #include "shared/physics/motion/cloth.hpp"
 #include "shared/physics/motion/moving_ball.hpp"
 #include "shared/physics/scene/scene.hpp"
+#include "shared/physics/solvers/with_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -189,7 +189,7 @@ class SlideRollSpin {
 class Everything {
   public:
     explicit Everything(const Scene& scene)
-        : kernel_(scene),
+        : kernel_(KernelScene(scene, cushions_)),
           cloth_(kernel_, scene.gravity),
           sliding_(scene.effects.sliding->mu * scene.gravity),
           rolling_(scene.effects.rolling->mu * scene.gravity),
@@ -234,6 +234,7 @@ class Everything {
         ++ended;
     }
 
+    KeptCushionMap cushions_;
     poolhall::Everything kernel_;
     Cloth<poolhall::Everything> cloth_;
     double sliding_;     ///< m/s^2
