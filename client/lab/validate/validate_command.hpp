@@ -11,10 +11,10 @@
 namespace poolhall::lab {
 
 struct ValidateOptions {
-    std::string out;          ///< folder; empty: the tables are only printed
-    std::string recorded;     ///< file of recorded shots; empty: none
-    std::size_t threads = 1;  ///< that fit recorded shots; the results are the same for any
-    bool bar = false;         ///< show how far it is, on `error`
+    std::string out = {};       ///< folder; empty: the tables are only printed
+    std::string recorded = {};  ///< file of recorded shots; empty: none
+    std::size_t threads = 1;    ///< that fit recorded shots; the results are the same for any
+    bool bar = false;           ///< show how far it is, on `error`
 };
 
 /// Holds every model that applies against every published measurement, and prints a table each;
