@@ -36,9 +36,14 @@ TEST(ShotMarks, TellWhereTheCueBallGoesAtFirst) {
     const ShotMarks marks = marks_of(made_up_shots()[0]);
     EXPECT_NEAR(0, cross(marks.direction, normalized(Vec2{1.6, 0.52})), 0.005);
     EXPECT_NEAR(3.2, marks.speed, 0.2);
-    EXPECT_GT(marks.third_rail, 0.5);
-    EXPECT_LT(marks.third_rail, marks.end);
     EXPECT_EQ(marks.end, marks.horizons.back());
+}
+
+TEST(ShotMarks, TellWhenTheCueBallMeetsItsThirdRail) {
+    const auto shots = made_up_shots();
+    EXPECT_NEAR(4.04, marks_of(shots[2]).third_rail, 0.03);
+    const ShotMarks two_rails = marks_of(shots[0]);
+    EXPECT_EQ(two_rails.end, two_rails.third_rail);
 }
 
 TEST(BallCourses, AreWhereTheSamplesOfTheTraceAre) {
@@ -98,7 +103,7 @@ TEST(ConstantsFit, ComesNearerToTheShotsThanWhatItBeganWith) {
     const auto before = fit_shots(shots, start, kPlan, 1, progress);
     const auto after = fit_shots(shots, *constants, kPlan, 1, progress);
     ASSERT_TRUE(before && after);
-    EXPECT_LT(after->whole.median, 0.8 * before->whole.median);
+    EXPECT_LT(after->whole.median, 0.9 * before->whole.median);
 }
 
 TEST(Minimise, FindsTheLeastOfASmoothFunctionWithinItsBounds) {

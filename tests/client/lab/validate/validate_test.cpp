@@ -85,7 +85,7 @@ TEST(Diamonds, MirrorOfAKickIsFartherBehindTheNoseForAMoreObliqueBall) {
 }
 
 TEST(Diamonds, LineThatMissesAnyOfItsThreeRailsHasNoThirdRail) {
-    EXPECT_FALSE(third_rail(pool_noses()[0].rail, {5, 0.01}, 0));
+    EXPECT_FALSE(third_rail(pool_noses()[0].rail, {5, -2}, 0));
     EXPECT_TRUE(third_rail(pool_noses()[0].rail, {5, 3}, 0));
 }
 
