@@ -1,7 +1,6 @@
 #include "shared/table/pool_table.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace poolhall {
 
@@ -67,13 +66,11 @@ struct RailEnds {
           side(side_end(table.mouths ? table.mouths->side : kSideMouth)) {}
 };
 
-enum class Mouth : std::uint8_t { kCorner, kSide };
-
 /// Where a rail end is on the table, in units of half the sides: the corner or the middle of a rail
 /// that it is measured from, the way along the nose and the way out of the table. One coordinate of
 /// `along` and of `out` is 0, the other 1 or -1, so mirror images lose nothing.
 struct Jaw {
-    Mouth mouth;
+    RailEnd RailEnds::*end;
     Vec2 origin;
     Vec2 along;
     Vec2 out;
@@ -81,18 +78,18 @@ struct Jaw {
 
 /// In the order of Rail, from kNorthWestJawN.
 constexpr std::array<Jaw, 12> kJaws{{
-    {Mouth::kCorner, {-1, 1}, {1, 0}, {0, 1}},
-    {Mouth::kCorner, {-1, 1}, {0, -1}, {-1, 0}},
-    {Mouth::kSide, {0, 1}, {-1, 0}, {0, 1}},
-    {Mouth::kSide, {0, 1}, {1, 0}, {0, 1}},
-    {Mouth::kCorner, {1, 1}, {-1, 0}, {0, 1}},
-    {Mouth::kCorner, {1, 1}, {0, -1}, {1, 0}},
-    {Mouth::kCorner, {1, -1}, {-1, 0}, {0, -1}},
-    {Mouth::kCorner, {1, -1}, {0, 1}, {1, 0}},
-    {Mouth::kSide, {0, -1}, {-1, 0}, {0, -1}},
-    {Mouth::kSide, {0, -1}, {1, 0}, {0, -1}},
-    {Mouth::kCorner, {-1, -1}, {1, 0}, {0, -1}},
-    {Mouth::kCorner, {-1, -1}, {0, 1}, {-1, 0}},
+    {&RailEnds::corner, {-1, 1}, {1, 0}, {0, 1}},
+    {&RailEnds::corner, {-1, 1}, {0, -1}, {-1, 0}},
+    {&RailEnds::side, {0, 1}, {-1, 0}, {0, 1}},
+    {&RailEnds::side, {0, 1}, {1, 0}, {0, 1}},
+    {&RailEnds::corner, {1, 1}, {-1, 0}, {0, 1}},
+    {&RailEnds::corner, {1, 1}, {0, -1}, {1, 0}},
+    {&RailEnds::corner, {1, -1}, {-1, 0}, {0, -1}},
+    {&RailEnds::corner, {1, -1}, {0, 1}, {1, 0}},
+    {&RailEnds::side, {0, -1}, {-1, 0}, {0, -1}},
+    {&RailEnds::side, {0, -1}, {1, 0}, {0, -1}},
+    {&RailEnds::corner, {-1, -1}, {1, 0}, {0, -1}},
+    {&RailEnds::corner, {-1, -1}, {0, 1}, {-1, 0}},
 }};
 
 constexpr const Jaw& jaw_of(Rail rail) {
@@ -124,15 +121,11 @@ Vec2 point(const Jaw& jaw, Vec2 half, Vec2 a) {
     return Vec2{jaw.origin.x * half.x, jaw.origin.y * half.y} + direction(jaw, a);
 }
 
-const RailEnd& end_of(const RailEnds& ends, const Jaw& jaw) {
-    return jaw.mouth == Mouth::kCorner ? ends.corner : ends.side;
-}
-
 CushionLine nose_of(const Nose& nose, const RailEnds& ends, Vec2 half) {
     const Jaw& from = jaw_of(nose.from);
     const Jaw& to = jaw_of(nose.to);
-    return {.from = point(from, half, {end_of(ends, from).arc_centre.x, 0}),
-            .to = point(to, half, {end_of(ends, to).arc_centre.x, 0}),
+    return {.from = point(from, half, {(ends.*from.end).arc_centre.x, 0}),
+            .to = point(to, half, {(ends.*to.end).arc_centre.x, 0}),
             .normal = from.out,
             .rail = nose.rail};
 }
@@ -193,7 +186,7 @@ PoolTable::PoolTable(const Table& table) {
         lines_[i] = nose_of(kNoses[i], ends, half);
     for (std::size_t i = 0; i < kJaws.size(); ++i) {
         const auto rail = static_cast<Rail>(static_cast<std::size_t>(kFirstJaw) + i);
-        const RailEnd& end = end_of(ends, kJaws[i]);
+        const RailEnd& end = ends.*kJaws[i].end;
         lines_[kNoses.size() + i] = facing_of(kJaws[i], end, half, rail);
         arcs_[i] = arc_of(kJaws[i], end, half, rail);
     }

@@ -10,6 +10,7 @@ namespace poolhall::testing {
 [[nodiscard]] inline bool resolve_contacts(const std::vector<Contact>& contacts, double e_rail,
                                            std::vector<MovingBall>& balls) {
     ImpactModels models;
+    models.ball_ball = {BallBallModel::kElastic};
     models.rail = {RailModel::kRestitution, e_rail};
     models.unit_mass = BallSpec{}.mass;
     models.balls = balls.size();

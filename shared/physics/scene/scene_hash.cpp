@@ -59,14 +59,19 @@ class SceneHash {
     template <HasFieldList T>
     void add(const T& object) {
         for_each_field(object, [this](const auto& field, const auto& member) {
-            if constexpr (requires { *member; }) {
-                if (field.hashed_where_set) {
-                    this->add_if_there(field, member);
-                    return;
-                }
-            }
-            this->add(member);
+            this->add_field(field, member);
         });
+    }
+
+    void add_field(const auto& /*field*/, const auto& member) { add(member); }
+
+    template <class T>
+    void add_field(const auto& field, const std::optional<T>& x) {
+        if (field.hashed_where_set) {
+            add_if_there(field, x);
+        } else {
+            add(x);
+        }
     }
 
     template <class T>
@@ -120,7 +125,7 @@ class SceneHash {
     /// By a direction in space.
     void add(const Strike& strike) {
         for_each_field(strike, [this](const auto& field, const auto& member) {
-            this->add(member);
+            this->add_field(field, member);
             if (field.name == "direction") add(Real{0});
         });
     }

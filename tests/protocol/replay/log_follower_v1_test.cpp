@@ -12,6 +12,8 @@ using namespace poolhall::test;
 
 constexpr std::uint32_t kShots = 30;
 constexpr std::uint32_t kTampered = 3;
+/// Of the physics: that of all logs of version 1.
+constexpr std::uint32_t kEdition = 1;
 
 template <class Change>
 std::vector<ReplayRecord> with_shot_changed(std::vector<ReplayRecord> records,
@@ -28,7 +30,7 @@ template <class Change>
 std::vector<std::string> deviations_after(const Change& change) {
     const auto records = with_shot_changed(played_match_v1("m1", kShots), change);
     std::vector<std::string> found;
-    for (const Followed& followed : follow(records)) {
+    for (const Followed& followed : follow(records, kEdition)) {
         if (followed.subject == "shot 3") {
             found = followed.found.deviations;
         } else if (followed.subject != "shot 4") {
@@ -44,7 +46,7 @@ TEST(LogFollowerOfVersion1, FindsAPlayedMatchGood) {
         records.begin(), records.end(),
         [](const ReplayRecord& record) { return std::holds_alternative<GameRecord>(record); });
     EXPECT_GT(games, 1) << "the match must have a game that ended";
-    const auto all = follow(records);
+    const auto all = follow(records, kEdition);
     EXPECT_EQ(first(deviations_of(all)), "nothing");
     EXPECT_EQ(first(remarks_of(all)), "nothing");
     EXPECT_EQ(shots_of(all).size(), kShots);
@@ -74,7 +76,7 @@ TEST(LogFollowerOfVersion1, GoesOnWithMoves) {
             if (move != nullptr && taken >= shots) records.push_back(record);
             if (move != nullptr && move->shot) ++taken;
         }
-        EXPECT_EQ(first(deviations_of(follow(records))), "nothing") << shots;
+        EXPECT_EQ(first(deviations_of(follow(records, kEdition))), "nothing") << shots;
     }
 }
 
@@ -151,10 +153,10 @@ TEST(LogFollowerOfVersion1, NamesTheShotThatDoesNotFollowFromTheOneBefore) {
     shot.event_times.clear();
     shot.ruling = *step.ruling();
     const std::string next = "shot " + std::to_string(shot.shot + 1);
-    EXPECT_TRUE(first(deviations_of(follow(records)))
+    EXPECT_TRUE(first(deviations_of(follow(records, kEdition)))
                     .starts_with(next + ": the scene does not follow from the shots before it: "
                                         "/balls/0/r"))
-        << first(deviations_of(follow(records)));
+        << first(deviations_of(follow(records, kEdition)));
 }
 
 TEST(LogFollowerOfVersion1, NamesAShotOutOfTurnOrWithAStrikeThatIsNotAllowed) {
@@ -180,21 +182,21 @@ TEST(LogFollowerOfVersion1, NamesACueBallThatWasMovedAfterTheFirstShot) {
 TEST(LogFollowerOfVersion1, NamesACueBallThatBeganOffTheBaseLine) {
     auto records = played_match_v1("m1", 1);
     std::get<ShotRecord>(records.at(4)).scene.balls[0].state.r.x += 0.1;
-    EXPECT_TRUE(has(deviations_of(follow(records)),
+    EXPECT_TRUE(has(deviations_of(follow(records, kEdition)),
                     "the cue ball was put where the rules do not allow it (out_of_region)"));
 }
 
 TEST(LogFollowerOfVersion1, ChecksTheShotsOfAGameItDoesNotKnow) {
     auto records = played_match_v1("m1", kShots);
     std::get<MatchRecord>(records.front()).game = "snooker";
-    const auto all = follow(records);
+    const auto all = follow(records, kEdition);
     EXPECT_EQ(first(deviations_of(all)), "nothing");
     EXPECT_EQ(shots_of(all).size(), kShots);
 }
 
 TEST(LogFollowerOfVersion1, FindsAMatchOfEverySolverGood) {
     for (const SolverSpec& solver : kPlayableSolvers) {
-        const auto all = follow(played_match_v1("m1", kShots, pool_settings(solver)));
+        const auto all = follow(played_match_v1("m1", kShots, pool_settings(solver)), kEdition);
         EXPECT_EQ(first(deviations_of(all)), "nothing");
         EXPECT_EQ(shots_of(all).size(), kShots);
     }
@@ -203,23 +205,24 @@ TEST(LogFollowerOfVersion1, FindsAMatchOfEverySolverGood) {
 TEST(LogFollowerOfVersion1, NamesAShotThatWasNotPlayedWithTheMatchsSettings) {
     auto records = played_match_v1("m1", 1, pool_settings());
     std::get<MatchRecord>(records.front()).settings->game.effects->sliding->mu = 0.25;
-    EXPECT_TRUE(has(deviations_of(follow(records)), "/effects/sliding/mu"));
+    EXPECT_TRUE(has(deviations_of(follow(records, kEdition)), "/effects/sliding/mu"));
 }
 
 TEST(LogFollowerOfVersion1, NamesNumbersAndGamesThatDoNotFollow) {
     auto records = played_match_v1("m1", 2);
     records.erase(records.begin() + 3);
-    EXPECT_TRUE(has(deviations_of(follow(records)), "shot 1: no game was begun before it"));
+    EXPECT_TRUE(
+        has(deviations_of(follow(records, kEdition)), "shot 1: no game was begun before it"));
     records = played_match_v1("m1", kShots);
     const std::size_t index = first_of_two(records);
     const std::uint32_t left_out = std::get<ShotRecord>(records.at(index)).shot;
     records.erase(records.begin() + static_cast<std::ptrdiff_t>(index));
-    EXPECT_TRUE(has(deviations_of(follow(records)), "shot " + std::to_string(left_out + 1) +
-                                                        ": number " + std::to_string(left_out + 1) +
-                                                        " expected " + std::to_string(left_out)));
+    EXPECT_TRUE(has(deviations_of(follow(records, kEdition)),
+                    "shot " + std::to_string(left_out + 1) + ": number " +
+                        std::to_string(left_out + 1) + " expected " + std::to_string(left_out)));
     records = played_match_v1("m1", 1);
     records.insert(records.begin() + 4, GameRecord{2, Seat{1}});
-    EXPECT_TRUE(has(deviations_of(follow(records)),
+    EXPECT_TRUE(has(deviations_of(follow(records, kEdition)),
                     "record 5 (game): it does not follow from the game before"));
 }
 

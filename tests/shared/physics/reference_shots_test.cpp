@@ -97,7 +97,7 @@ Vec3 turned(const json& a) {
 }
 
 RailSpec rail_of(const std::string& model, const json& parameters) {
-    RailSpec rail;
+    RailSpec rail{RailModel::kElastic};
     if (model == "unrealistic_restitution") rail.model = RailModel::kRestitution;
     if (model == "han_2005") rail.model = RailModel::kHan2005;
     if (model == "mathavan_2010_fine") rail.model = RailModel::kMathavan2010;
@@ -108,7 +108,7 @@ RailSpec rail_of(const std::string& model, const json& parameters) {
 }
 
 BallBallSpec ball_ball_of(const json& shot) {
-    BallBallSpec spec;
+    BallBallSpec spec{BallBallModel::kElastic};
     if (shot.at("ball_ball") == "frictionless_elastic") return spec;
     spec.model = BallBallModel::kFriction;
     spec.e = shot.at("e_ball");
