@@ -29,5 +29,5 @@ def figure(one, source):
         axes.axhline(0, color=style.MUTED, linewidth=0.8)
     axes.set_xlabel(one["x"])
     axes.set_ylabel(one["y"])
-    sheet.legend(order=list, columns=3)
+    sheet.legend(order=list, columns=2 if max(len(curve["label"]) for curve in one["curves"]) > 30 else 3)
     return sheet

@@ -72,6 +72,26 @@ def reached(validate):
         yield f"{said} {table['note']}".strip() if verdict == "not reached" or table["relative"] else said
 
 
+def _shares_of_reach(table):
+    """By model, its rms over the aim."""
+    rms = [plain if without is None else without for plain, without in zip(table["rms"], table["rms_without_outliers"])]
+    return {model: value / table["reach"] for model, value in zip(table["models"], rms) if value is not None}
+
+
+def both_at_once(validate):
+    """Whether one model reaches both aims for the filmed shots; None where they were not measured."""
+    found = {table["name"]: table for table in validate["tables"]}
+    speed, angle = found.get("two_balls_speed"), found.get("two_balls_angle")
+    if speed is None or angle is None:
+        return None
+    of_speed, of_angle = _shares_of_reach(speed), _shares_of_reach(angle)
+    worse = {model: max(of_speed[model], of_angle[model]) for model in of_speed}
+    best = min(worse, key=worse.get)
+    verdict = "reaches both aims" if worse[best] <= 1 else "comes nearest; no one model reaches both aims"
+    return (f"Two balls, speeds and angles by one model: {best} {verdict}, with {_size(speed, of_speed[best] * speed['reach'])} and "
+            f"{_size(angle, of_angle[best] * angle['reach'])}.")
+
+
 def recorded_table(validate):
     heads = ["rail", "shots", "all balls, whole shot: p25", "median", "p75", "cue ball to its third rail: p25", "median", "p75"]
     rows = []
@@ -139,7 +159,7 @@ def section(validate):
     heading = "## Against measured billiards\n\n"
     if validate is None:
         return heading + "Not measured in this run."
-    lines = [*reached(validate), recorded_words(validate)]
+    lines = [*reached(validate), both_at_once(validate), recorded_words(validate)]
     return (f"{heading}`{validate['command']}` holds every model against every published measurement that we know; "
             "[MEASURED.md](MEASURED.md) has each table, its source, and what nobody has measured.\n\n"
             + "\n".join(f"- {line}" for line in lines if line))

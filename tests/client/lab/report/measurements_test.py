@@ -24,6 +24,14 @@ class MeasurementsTest(unittest.TestCase):
         self.assertEqual("Two balls: 2.0 % rms with friction; aim 2.5 %, reached. Shot 1 is an outlier.", two_balls)
         self.assertEqual("Lag: 0.5 s rms with cloth; aim 0.1 s, not reached. The cloth is slow.", lag)
 
+    def test_speeds_and_angles_must_be_reached_by_one_model(self):
+        self.assertIsNone(measurements.both_at_once(VALIDATE))
+        angles = {**VALIDATE["tables"][0], "name": "two_balls_angle", "unit": "deg", "relative": False, "reach": 1,
+                  "rms": [2, 3], "rms_without_outliers": [0.5, 1.5]}
+        said = measurements.both_at_once({**VALIDATE, "tables": [VALIDATE["tables"][0], angles]})
+        self.assertEqual("Two balls, speeds and angles by one model: friction comes nearest; no one model reaches both aims, with 2.0 % "
+                         "and 1.500 deg.", said)
+
     def test_tables_have_value_error_and_rms_by_model(self):
         table = measurements.markdown_table(VALIDATE["tables"][0])
         self.assertIn("| shot 1 * | 0.800 | 0.900 (+12.5 %) | 0.880 (+10.0 %) |", table)
