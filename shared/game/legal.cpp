@@ -1,7 +1,5 @@
 #include "shared/game/legal.hpp"
 
-#include "shared/physics/motion/cue.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -29,8 +27,8 @@ MaybeFault check_stroke(const StrokeBounds& bounds, const Stroke& stroke) {
     if (stroke.speed && !within(*stroke.speed, bounds.min_speed, bounds.max_speed))
         return fault("/strike/speed", Illegal::kOutOfBounds);
     const Real square = dot(stroke.offset, stroke.offset);
-    const Real most = std::min(bounds.max_offset, kMiscueOffset);
-    if (!within(square, 0, most * most)) return fault("/strike/offset", Illegal::kOutOfBounds);
+    if (!within(square, 0, bounds.max_offset * bounds.max_offset))
+        return fault("/strike/offset", Illegal::kOutOfBounds);
     if (!within(stroke.elevation, 0, bounds.max_elevation))
         return fault("/strike/elevation", Illegal::kOutOfBounds);
     return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "shared/game/game_state.hpp"
 #include "shared/game/move.hpp"
+#include "shared/physics/motion/cue.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -20,12 +21,11 @@ struct Region {
 
 /// What a shot may ask of the cue.
 struct StrokeBounds {
-    Real min_speed = 0;  ///< m/s
-    Real max_speed = 0;  ///< m/s
-    Real own_speed = 0;  ///< of a stroke that names none, m/s
-    Real max_offset =
-        0;  ///< of the tip from the ball's middle, radii; no more than kMiscueOffset counts
-    Real max_elevation = 0;  ///< slope of the cue
+    Real min_speed = 0;               ///< m/s
+    Real max_speed = 0;               ///< m/s
+    Real own_speed = 0;               ///< of a stroke that names none, m/s
+    Real max_offset = kMiscueOffset;  ///< of the tip from the ball's middle, radii
+    Real max_elevation = 0;           ///< slope of the cue
 
     friend bool operator==(const StrokeBounds&, const StrokeBounds&) = default;
 };

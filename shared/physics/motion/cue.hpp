@@ -12,8 +12,8 @@
 
 namespace poolhall {
 
-/// How far from the ball's middle a tip holds, in radii: farther out it slips off, a miscue. No
-/// game allows more. Alciatore: about 0.5, 0.6 at most (drdavepoolinfo.com, faq/cue/tip).
+/// How far from the ball's middle a tip holds, in radii: farther out it slips off, a miscue. What
+/// games allow. Alciatore: about 0.5, 0.6 at most (drdavepoolinfo.com, faq/cue/tip).
 inline constexpr Real kMiscueOffset = 0.55;
 
 /// What strikes the ball. Defaults: a plain cue of 19 oz with a leather tip.
