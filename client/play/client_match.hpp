@@ -21,7 +21,7 @@ struct MatchInfo {
     std::optional<double> round_trip_ms;
     /// When the shot clock of the turn runs down, s on the clock of poll(); none while none runs.
     std::optional<double> clock_ends;
-    std::string kernel;  ///< that simulated the last shot; empty before one
+    std::string kernel;                        ///< that simulated the last shot; empty before one
     std::vector<analysis::EffectUse> effects;  ///< of the last shot
     /// Why there is no table, or that the connection is lost; one sentence, empty when all is well.
     std::string trouble;

@@ -38,9 +38,18 @@ struct StrikeForm {
     Strike strike;   ///< the rest
 };
 
-/// A rail or an impact that is named has the defaults of its own, not those of what is not named.
+/// A rail or an impact that is named has the defaults of its own, not those of what is not named;
+/// but for a rail without a nose: in its place, what such a model does not use has always entered
+/// the hash as it does where none is named.
 template <>
-struct DefaultCodec<RailSpec> : Fresh<RailSpec> {};
+struct DefaultCodec<RailSpec> : Fresh<RailSpec> {
+    [[nodiscard]] bool read(const Cursor& cursor, RailSpec& value) const {
+        if (!Fresh::read(cursor, value)) return false;
+        if (has_nose(value.model)) return true;
+        value = RailPart{}.rail;
+        return read_fields(cursor, value);
+    }
+};
 
 template <>
 struct DefaultCodec<BallBallSpec> : Fresh<BallBallSpec> {};

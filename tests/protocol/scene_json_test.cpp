@@ -99,6 +99,21 @@ TEST(SceneJson, TakesAnEffectsCoefficientsFromItsDefaults) {
     EXPECT_EQ(scene->effects, expected);
 }
 
+TEST(SceneJson, ARailWithoutANoseIsTheSameWhetherItIsNamedOrNot) {
+    Json json = whole_scene();
+    json["effects"] = Json::object();
+    const auto unnamed = scene_from_json(json);
+    json["effects"]["rail"] = {{"model", "elastic"}};
+    const auto named = scene_from_json(json);
+    ASSERT_TRUE(unnamed.ok() && named.ok());
+    EXPECT_EQ(*named, *unnamed);
+    json["effects"]["rail"] = {{"model", "restitution"}, {"e", 0.9}};
+    RailSpec rail = RailPart{}.rail;
+    rail.model = RailModel::kRestitution;
+    rail.e = 0.9;
+    EXPECT_EQ(scene_from_json(json)->effects.rail, rail);
+}
+
 TEST(SceneJson, ReadsPocketsAsAListOfCircles) {
     Json json = whole_scene();
     json["table"]["pockets"] = Json::parse(

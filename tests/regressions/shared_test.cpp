@@ -147,11 +147,12 @@ TEST(Regression, BallsAgainstDeadRailsHandNoRoundingToAndFro) {
     EXPECT_LT(trace.events.size(), 50U);
 }
 
-/// A ball in the mouth of the north-eastern pocket, by the event solver.
+/// A ball in the mouth of the north-eastern pocket, between jaws of 21 mm, by the event solver.
 Scene in_the_mouth(const BallState& state) {
     Scene scene = testing::scene_of({xy(state.r)});
     scene.balls[0].state = state;
     scene.table.pockets = PocketModel::kPool;
+    scene.table.mouths.emplace().corner.jaw_radius = 0.02095;
     scene.effects = lab::cloth_effects();
     scene.solver.kind = SolverKind::kEvent;
     return scene;

