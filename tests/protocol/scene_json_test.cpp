@@ -101,7 +101,7 @@ TEST(SceneJson, TakesAnEffectsCoefficientsFromItsDefaults) {
 
 TEST(SceneJson, ARailWithoutANoseIsTheSameWhetherItIsNamedOrNot) {
     Json json = whole_scene();
-    json["effects"] = Json::object();
+    json["effects"] = {{"sliding", Json::object()}, {"airborne", Json::object()}};
     const auto unnamed = scene_from_json(json);
     json["effects"]["rail"] = {{"model", "elastic"}};
     const auto named = scene_from_json(json);
