@@ -101,8 +101,10 @@ Scene preset_shot(Random& random, int shot) {
     if (shot % 4 < 2) scene.effects.ball_ball.model = BallBallModel::kMathavan2014;
     if (shot % 3 == 0) scene.effects.rail.model = RailModel::kHan2005;
     const Vec2 target{0.2, random.uniform(-0.05, 0.05)};
-    scene.strike = Strike{BallIndex{0}, target - xy(scene.balls[0].state.r), random.uniform(0.5, 8),
-                          random.uniform(0, 0.55) * random.direction()};
+    const double speed = random.uniform(0.5, 8);
+    const double off_centre = random.uniform(0, 0.55);
+    scene.strike = Strike{BallIndex{0}, target - xy(scene.balls[0].state.r), speed,
+                          off_centre * random.direction()};
     scene.strike->cue = preset_value(kValues<CuePreset>[static_cast<std::size_t>(shot) % 3]);
     scene.solver = {kSolver, kHz};
     return scene;

@@ -55,11 +55,15 @@ Scene at_object(Random& random, std::size_t balls, double speed, double thinnest
 }
 
 Scene run_outs(Random& random) {
-    return at_object(random, 2 + random.below(8), random.uniform(0.8, 3.5), 0.9);
+    const std::size_t balls = 2 + random.below(8);
+    const double speed = random.uniform(0.8, 3.5);
+    return at_object(random, balls, speed, 0.9);
 }
 
 Scene safeties(Random& random) {
-    return at_object(random, 4 + random.below(9), random.uniform(0.3, 1.5), 0.98);
+    const std::size_t balls = 4 + random.below(9);
+    const double speed = random.uniform(0.3, 1.5);
+    return at_object(random, balls, speed, 0.98);
 }
 
 /// A nudge, mostly of the cue ball alone.

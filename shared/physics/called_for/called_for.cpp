@@ -67,6 +67,7 @@ Prospect prospect_of(const Scene& scene, std::span<const MovingBall> balls, Reac
     if (calls_for_energy(scene, std::type_identity<AllEffects>{})) return prospect;
     const Start start = start_of(balls);
     prospect.moves = start.movers > 0;
+    prospect.meets = balls.size() > 1;
     if (!prospect.moves || (start.off_cloth && scene.effects.airborne)) return prospect;
     bound_reach(scene, balls, start, memory, prospect);
     if (scene.effects.airborne && prospect.meets && !have_one_radius(balls)) {

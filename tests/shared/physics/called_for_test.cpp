@@ -117,6 +117,15 @@ TEST(CalledFor, RailsMouthsAndThrowAreRuledOutWhereNobodyGetsThere) {
     expect_same_as_by_everything(tap);
 }
 
+TEST(CalledFor, ABallAloneIsNotThrown) {
+    for (const double speed : {0.5, 8.0}) {
+        Scene scene = full_table({{0, 0.1}}, speed);
+        EXPECT_EQ(Bound::kNoMeeting, bound_of(scene, "throw"));
+        scene.strike->offset = {0.3, 0};
+        expect_same_as_by_everything(scene);
+    }
+}
+
 TEST(CalledFor, NothingIsWhereNothingMoves) {
     const Scene scene = full_table({{0, 0}, {0.5, 0}}, 0);
     EXPECT_EQ(Bound::kNothingMoves, bound_of(scene, "sliding"));
